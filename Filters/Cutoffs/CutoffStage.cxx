@@ -172,9 +172,10 @@ void TurnUprightFaults(CutoffModelData& model)
     {
       sum += SumOfThrows(horizon.AtFault[fault]);
     }
+    model.AreTurned.push_back(sum < 0.0 && model.Faults[fault].IsUpright(column) ? 1 : 0);
     for (CutHorizon& horizon : model.Horizons)
     {
-      if (sum < 0.0 && model.Faults[fault].IsUpright(column))
+      if (model.AreTurned.back() != 0)
       {
         SwapWalls(horizon.AtFault[fault]);
       }

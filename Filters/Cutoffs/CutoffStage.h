@@ -41,6 +41,7 @@ struct CutoffModelData
 {
   std::vector<FaultPlate> Faults;
   std::vector<CutHorizon> Horizons; // as given
+  std::vector<unsigned char> AreTurned; // by fault: the hanging wall of an upright one is on the other side
   std::vector<std::vector<std::size_t>> OnlyHorizons; // FaultPicks::Horizons, by fault
   std::vector<std::string> Warnings;
 

@@ -304,16 +304,11 @@ std::vector<std::string> NameLayers(const SealedModel& model)
 //----------------------------------------------------------------------------------------------------------------------
 std::string NameBlock(const SealedModel& model, const std::vector<signed char>& sides)
 {
-  std::size_t first = 0;
-  while (model.Surfaces[first].Type != SealedSurfaceType::Fault && first + 1 < model.Surfaces.size())
-  {
-    ++first;
-  }
   std::string name;
   std::set<std::string> named; // A fault with two parts is named once.
   for (std::size_t fault = 0; fault < sides.size(); ++fault)
   {
-    const std::string side = model.Surfaces[first + fault].Name + (sides[fault] > 0 ? " hanging wall" : " footwall");
+    const std::string side = model.FaultNames[fault] + (sides[fault] > 0 ? " hanging wall" : " footwall");
     if (sides[fault] != 0 && named.insert(side).second)
     {
       name += (name.empty() ? "" : ", ") + side;

@@ -12,6 +12,7 @@
 #include "Filters/Common/PlacedPoints.h"
 #include "Filters/Common/StageReport.h"
 #include "SealedOutput.h"
+#include "SealedWarnings.h"
 
 #include <Eigen/Geometry>
 
@@ -227,54 +228,6 @@ void RequireCommonFaults(const CutoffModelData& model)
     }
   }
 }
-
-std::vector<std::string> WarnOfModel(const SealedModel& model, const FaultNetwork& network, const SealingInput& input)
-{
-  std::vector<std::string> warnings;
-  const auto list = [](const std::vector<std::string>& names)
-  {
-    return std::accumulate(names.begin() + 1, names.end(), names.front(),
-      [](const std::string& text, const std::string& name) { return text + "; " + name; });
-  };
-  if (!network.Choices.empty())
-  {
-    warnings.push_back("endings that were chosen (" + list(network.Choices) + "), expected Endings to tell them");
-  }
-  if (!network.Outside.empty())
-  {
-    warnings.push_back("faults outside the model (" + list(network.Outside) + "), expected some inside its box");
-  }
-  if (model.Slivers > 0)
-  {
-    warnings.push_back(std::to_string(model.Slivers) +
-      " triangles thinner than a thousandth of a column, expected faults that are farther apart");
-  }
-  for (std::size_t n = 0; n < input.Horizons.size(); ++n)
-  {
-    const PickAccount& account = model.Accounts[n];
-    constexpr double mostContinued = 0.1;
-    std::ostringstream text = MakeReportStream();
-    if (account.Moved > 0)
-    {
-      text << input.Horizons[n].Name << " moved at " << account.Moved << " picks, by up to " << account.LargestMove
-           << ", expected horizons that keep 2.5 errors apart, and from the top and base of the box";
-      warnings.push_back(text.str());
-    }
-    if (double(account.Continued) > mostContinued * double(account.Columns))
-    {
-      text.str("");
-      text << input.Horizons[n].Name << " continued over " << account.Continued << " of " << account.Columns
-           << " columns, expected picks in most: their heights are not bounded";
-      warnings.push_back(text.str());
-    }
-  }
-  for (const SealedGuess& guess : model.Guessed)
-  {
-    warnings.push_back(input.Horizons[guess.Horizon].Name + " without picks in the block " +
-      NameBlock(model, guess.Sides) + ", expected some: its height follows the horizon nearest to it");
-  }
-  return warnings;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -302,16 +255,17 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
   }
   SealingInput input = MakeInput(horizons, cutoffs, frame, sealing.MaximumError);
   std::vector<FaultPlate> plates;
-  for (const FaultPlate& plate : cutoffs.Faults)
+  for (std::size_t fault = 0; fault < cutoffs.Faults.size(); ++fault)
   {
-    plates.push_back(plate.Moved(frame.ToModel));
+    const FaultPlate& plate = cutoffs.Faults[fault];
+    plates.push_back((cutoffs.AreTurned[fault] != 0 ? plate.Reversed() : plate).Moved(frame.ToModel));
   }
   const Eigen::Vector2d least = frame.Step.array() * Eigen::Array2d(input.Least.X, input.Least.Y);
   const Eigen::Vector2d greatest = frame.Step.array() * Eigen::Array2d(input.Greatest.X, input.Greatest.Y);
   const Eigen::AlignedBox3d box(
     Eigen::Vector3d(least.x(), least.y(), input.Base), Eigen::Vector3d(greatest.x(), greatest.y(), input.Top));
   FaultNetwork network =
-    MakeNetwork(plates, box, options.EndDistance * frame.Step.maxCoeff(), ReadEndings(options.Endings));
+    MakeNetwork(plates, box, frame.Step.minCoeff(), options.EndDistance, ReadEndings(options.Endings));
   const std::vector<std::size_t> unconformities = ReadUnconformities(options.Unconformities, input);
   if (EndAtHorizons(unconformities, input, box, network) == 0 && !unconformities.empty())
   {
@@ -329,8 +283,9 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
   SealedStageResult result;
   WriteSealed(model, fields, result);
   result.Warnings = cutoffs.Warnings;
-  const std::vector<std::string> warnings = WarnOfModel(model, network, input);
+  const std::vector<std::string> warnings = WarnOfSealed(model, network, input, cutoffs, sealing.MaximumError);
   result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
+  monitor.Progress(1.0);
   return result;
 }
 }

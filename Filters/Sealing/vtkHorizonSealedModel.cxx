@@ -21,9 +21,13 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <vector>
 
 using namespace SeismicHorizons;
@@ -91,7 +95,7 @@ int vtkHorizonSealedModel::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-// Each process makes the model, so that all have the same bodies; the first writes it.
+// The first process makes the model, and tells the others the names of bodies, so that all have the same blocks.
 int vtkHorizonSealedModel::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -100,9 +104,14 @@ int vtkHorizonSealedModel::RequestData(
   this->Results.clear();
   const auto work = [&](std::string& subject, const Monitor& monitor)
   {
+    SealedStageResult result;
     const auto seal = [&]()
     {
       std::vector<CutInput> horizons;
+      if (ranks.Own() > 0)
+      {
+        return;
+      }
       for (const HorizonLeaf& leaf : ListNamedHorizons(inputVector[0]))
       {
         subject = leaf.Name;
@@ -115,31 +124,37 @@ int vtkHorizonSealedModel::RequestData(
       vtkDataObject* const faultData = this->GetInputDataObject(SealedFaultsPort, 0);
       GivenFaultPicks given = faultData ? ReadFaultPicks(ListGivenLines(faultData)) : GivenFaultPicks();
       const ArrayTable fields = JoinFields(horizons, given);
-      const SealedStageResult result = RunSealed(horizons, given.Picks, fields, this->MakeOptions(), monitor);
-      MakeBlocks(result.BodyNames, "Body", outputs[BodiesOutput]);
-      if (ranks.Own() > 0)
-      {
-        return;
-      }
-      ToVTK(result.Surfaces, vtkPolyData::SafeDownCast(outputs[SurfacesOutput]));
-      ToVTK(result.Lines, vtkPolyData::SafeDownCast(outputs[LinesOutput]));
-      for (std::size_t body = 0; body < result.Bodies.size(); ++body)
-      {
-        ToVTK(result.Bodies[body], BlockOf(outputs[BodiesOutput], body));
-      }
-      ToVTK(result.Figures, vtkTable::SafeDownCast(outputs[BodyFiguresOutput]));
-      ToVTK(result.Areas, vtkTable::SafeDownCast(outputs[FaultAreasOutput]));
-      ToVTK(result.Picks, vtkTable::SafeDownCast(outputs[PicksOutput]));
-      this->Results = result.Report;
-      for (const std::vector<std::string>& warnings : { given.Warnings, result.Warnings })
-      {
-        for (const std::string& warning : warnings)
-        {
-          vtkWarningMacro(<< warning);
-        }
-      }
+      result = RunSealed(horizons, given.Picks, fields, this->MakeOptions(), monitor);
+      result.Warnings.insert(result.Warnings.begin(), given.Warnings.begin(), given.Warnings.end());
     };
     ranks.Together(seal);
+    std::ostringstream lines;
+    std::copy(result.BodyNames.begin(), result.BodyNames.end(), std::ostream_iterator<std::string>(lines, "\n"));
+    std::istringstream told(ranks.Gather(lines.str()).front());
+    result.BodyNames.clear();
+    for (std::string name; std::getline(told, name);)
+    {
+      result.BodyNames.push_back(name);
+    }
+    MakeBlocks(result.BodyNames, "Body", outputs[BodiesOutput]);
+    if (ranks.Own() > 0)
+    {
+      return;
+    }
+    ToVTK(result.Surfaces, vtkPolyData::SafeDownCast(outputs[SurfacesOutput]));
+    ToVTK(result.Lines, vtkPolyData::SafeDownCast(outputs[LinesOutput]));
+    for (std::size_t body = 0; body < result.Bodies.size(); ++body)
+    {
+      ToVTK(result.Bodies[body], BlockOf(outputs[BodiesOutput], body));
+    }
+    ToVTK(result.Figures, vtkTable::SafeDownCast(outputs[BodyFiguresOutput]));
+    ToVTK(result.Areas, vtkTable::SafeDownCast(outputs[FaultAreasOutput]));
+    ToVTK(result.Picks, vtkTable::SafeDownCast(outputs[PicksOutput]));
+    this->Results = result.Report;
+    for (const std::string& warning : result.Warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
   };
   const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
   this->Results = done && !IsAborted(this) ? this->Results : std::string();

@@ -259,6 +259,10 @@ class FirstSightTest(unittest.TestCase):
             self.assertEqual(colored_by(display), ("CELLS", "Juxtaposition"))
             self.assertIn("below Horizon 1 against above Horizon 1", labels(display))
 
+    def test_bodies_have_colours_of_their_layers(self):
+        faults = simple.OutputPort(simple.HorizonCutoffs(Input=simple.OutputPort(simple.HorizonFaults(Input=self.horizons), 0), Dip=60.0), 2)
+        self.assertEqual(colored_by(self.show(simple.HorizonSealedModel(Input=self.horizons, Faults=faults, MaximumError=4.0), 2)), ("CELLS", "Layer"))
+
     def test_numbers_of_lines_are_in_the_data(self):
         path = FOLDER / "lines.xyz"
         path.write_text("Inline Crossline X Y Z\n" + "".join(

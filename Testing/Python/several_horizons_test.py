@@ -109,10 +109,11 @@ FILTERS = {
     "layers": ("HorizonLayers", together, 1),
     "distance": ("HorizonSurfaceDistance", to_meshes, 0),
     "cutoffs": ("HorizonCutoffs", with_sticks, 2),
+    "sealed": ("HorizonSealedModel", with_sticks, 2),
 }
 
 
-WIDE = {"layers", "cutoffs"}  # which take memory for what is empty, or have a fault in one place
+WIDE = {"layers", "cutoffs", "sealed"}  # which take memory for what is empty, or have a fault in one place
 
 
 def prepare(class_name, inputs, rank_of, whole=0, **properties):

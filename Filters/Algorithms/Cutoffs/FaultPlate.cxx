@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -297,6 +298,27 @@ FaultPlate FaultPlate::Moved(const Eigen::Isometry2d& move) const
     moved.OnMap.extend(move * this->OnMap.corner(Eigen::AlignedBox2d::CornerType(corner)));
   }
   return moved;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+FaultPlate FaultPlate::Reversed() const
+{
+  FaultPlate reversed = *this;
+  reversed.Along = -this->Along;
+  reversed.Across = -this->Across;
+  reversed.Plane.y() = -this->Plane.y();
+  reversed.Grid[0].First = -this->Grid[0].At(this->Grid[0].Size - 1);
+  for (auto row = reversed.Values.begin(); row != reversed.Values.end(); row += std::ptrdiff_t(this->Grid[0].Size))
+  {
+    std::reverse(row, row + std::ptrdiff_t(this->Grid[0].Size));
+  }
+  std::transform(reversed.Values.begin(), reversed.Values.end(), reversed.Values.begin(), std::negate<double>());
+  for (std::array<double, 2>& range : reversed.Extent)
+  {
+    range = { -range[1], -range[0] };
+  }
+  reversed.Ends = { -this->Ends[1], -this->Ends[0] };
+  return reversed;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -55,6 +55,8 @@ public:
 
   /// The plate in other coordinates, turned about z.
   FaultPlate Moved(const Eigen::Isometry2d& move) const;
+  /// The same places, with the hanging wall on the other side.
+  FaultPlate Reversed() const;
 
   const std::string& Name() const { return this->OwnName; }
   bool HasDip() const { return this->IsDipKnown; }

@@ -23,12 +23,14 @@ constexpr double LeastShare = 0.1; // of a fault that counts as beyond another o
 struct FaultShares
 {
   std::array<double, 2> Sides = { 0.0, 0.0 }; // footwall and hanging wall
-  std::array<Eigen::Vector3d, 2> Farthest;
+  std::array<double, 2> Beyond = { 0.0, 0.0 }; // of these, farther than the end distance
+  std::array<double, 2> Farthest = { 0.0, 0.0 };
+  std::array<Eigen::Vector3d, 2> FarthestPlace;
   bool IsNear = false; // reaches the other one
 
   bool IsBoth() const
   {
-    return std::min(this->Sides[0], this->Sides[1]) >= LeastShare * (this->Sides[0] + this->Sides[1]);
+    return std::min(this->Beyond[0], this->Beyond[1]) > LeastShare * (this->Sides[0] + this->Sides[1]);
   }
   bool IsHanging() const { return this->Sides[1] > this->Sides[0]; }
 };
@@ -62,9 +64,10 @@ std::uint64_t KeyOfColumn(const PlanePoint& column)
 class NetworkMaker
 {
 public:
-  NetworkMaker(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach)
+  NetworkMaker(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double column, double endDistance)
     : Plates(plates)
-    , Reach(reach)
+    , Column(column)
+    , Reach(column * endDistance)
   {
     for (const FaultPlate& plate : plates)
     {
@@ -124,17 +127,17 @@ private:
   FaultShares SharesOf(std::size_t fault, std::size_t other) const
   {
     FaultShares shares;
-    std::array<double, 2> farthest = { 0.0, 0.0 };
     for (const Eigen::Vector3d& place : this->Places[fault])
     {
       const double distance = this->Plates[other].Distance(this->Plates[other].ToPlace(place));
       const std::size_t side = distance > 0.0 ? 1 : 0;
       shares.IsNear = shares.IsNear || std::abs(distance) <= this->Reach;
-      shares.Sides[side] += std::abs(distance) > this->Reach ? 1.0 : 0.0;
-      if (std::abs(distance) > farthest[side])
+      shares.Sides[side] += 1.0;
+      shares.Beyond[side] += std::abs(distance) > this->Reach ? 1.0 : 0.0;
+      if (std::abs(distance) > shares.Farthest[side])
       {
-        farthest[side] = std::abs(distance);
-        shares.Farthest[side] = place;
+        shares.Farthest[side] = std::abs(distance);
+        shares.FarthestPlace[side] = place;
       }
     }
     return shares;
@@ -146,15 +149,19 @@ private:
     {
       for (std::size_t b = 0; b < a; ++b)
       {
-        if (this->Places[a].empty() || this->Places[b].empty() || this->Ends[a][b] != 0 || this->Ends[b][a] != 0)
+        if (this->Places[a].empty() || this->Places[b].empty())
         {
           continue;
         }
         const FaultShares &ofA = this->Shares[a][b], &ofB = this->Shares[b][a];
-        if (ofA.Sides[0] + ofA.Sides[1] == 0.0 || ofB.Sides[0] + ofB.Sides[1] == 0.0)
+        if (std::max({ ofA.Farthest[0], ofA.Farthest[1], ofB.Farthest[0], ofB.Farthest[1] }) < this->Column)
         {
-          throw InputError("fault " + this->Plates[a].Name() + " at the place of " + this->Plates[b].Name() +
+          throw InputError("fault " + this->Plates[a].Name() + " within a column of " + this->Plates[b].Name() +
             ", expected one of them");
+        }
+        if (this->Ends[a][b] != 0 || this->Ends[b][a] != 0)
+        {
+          continue;
         }
         const bool aEnds = ofA.IsBoth() == ofB.IsBoth() ? this->Areas[a] < this->Areas[b] : ofB.IsBoth();
         const std::size_t minor = aEnds ? a : b, main = aEnds ? b : a;
@@ -162,7 +169,7 @@ private:
         if (cross && this->HasRules)
         {
           const Eigen::Vector3d place =
-            0.5 * (this->Shares[minor][main].Farthest[0] + this->Shares[minor][main].Farthest[1]);
+            0.5 * (this->Shares[minor][main].FarthestPlace[0] + this->Shares[minor][main].FarthestPlace[1]);
           throw InputError("fault " + this->Plates[minor].Name() + " crosses " + this->Plates[main].Name() + " near " +
             PlaceText(place) + ", expected a rule which of them ends");
         }
@@ -207,12 +214,19 @@ private:
   /// One fault for each combination of sides of the faults that it crosses.
   void Add(std::size_t number, FaultNetwork& network)
   {
-    std::vector<SealingFault> parts = { SealingFault{ this->Plates[number], {}, {} } };
+    std::vector<SealingFault> parts = { SealingFault{ this->Plates[number], {}, {}, {} } };
     const std::size_t before = network.Faults.size();
     for (std::size_t fault = 0; fault < before; ++fault)
     {
       const FaultShares& shares = this->Shares[number][this->Numbers[fault]];
       const bool isCut = shares.IsBoth() && this->Ends[number][this->Numbers[fault]] != 2;
+      if (shares.IsBoth() && !isCut)
+      {
+        const double left = shares.Sides[shares.IsHanging() ? 0 : 1] / (shares.Sides[0] + shares.Sides[1]);
+        network.LeftOut.push_back(this->Plates[number].Name() + " in the " +
+          (shares.IsHanging() ? "footwall" : "hanging wall") + " of " + this->Plates[this->Numbers[fault]].Name() +
+          ", " + std::to_string(int(std::lround(100.0 * left))) + " % of it");
+      }
       std::vector<SealingFault> next;
       for (const SealingFault& part : parts)
       {
@@ -233,6 +247,7 @@ private:
     }
     for (SealingFault& part : parts)
     {
+      part.PartOf = network.Faults.size() > before ? std::optional<std::size_t>(before) : std::nullopt;
       network.Faults.push_back(std::move(part));
       this->Numbers.push_back(number);
     }
@@ -250,6 +265,7 @@ private:
   }
 
   const std::vector<FaultPlate>& Plates;
+  double Column;
   double Reach;
   std::vector<std::vector<Eigen::Vector3d>> Places; // by fault
   std::vector<double> Areas;
@@ -261,10 +277,10 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach,
-  const std::vector<EndingRule>& rules)
+FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double column,
+  double endDistance, const std::vector<EndingRule>& rules)
 {
-  NetworkMaker maker(plates, box, reach);
+  NetworkMaker maker(plates, box, column, endDistance);
   maker.AddRules(rules);
   return maker.Make();
 }

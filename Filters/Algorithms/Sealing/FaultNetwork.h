@@ -32,14 +32,15 @@ struct FaultNetwork
   /// In order. Each has its region.
   std::vector<SealingFault> Faults;
   std::vector<std::string> Choices; // what was not told, as "F2 ends at F1"
+  std::vector<std::string> LeftOut; // parts of faults beyond those that they end at by a rule
   std::vector<std::string> Outside; // names of faults that are not in the box
 };
 
-/// Faults that reach less than `reach` beyond another one end there. Without rules, all choices are made; with some, faults
-/// that cross must have one. Throws InputError for rules of unknown faults, rules that run in a circle, and crossings
-/// without a rule.
-FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double reach,
-  const std::vector<EndingRule>& rules);
+/// Faults that reach less than `endDistance` columns beyond another one end there. Without rules, all choices are made; with
+/// some, faults that cross must have one. Throws InputError for rules of unknown faults, rules that run in a circle,
+/// crossings without a rule, and faults within a column of each other.
+FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double column,
+  double endDistance, const std::vector<EndingRule>& rules);
 
 /// Faults that hardly reach above one of these horizons end there. Returns how many do.
 std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -51,6 +52,11 @@ public:
     this->FirstFault = this->Sheets.size();
     for (const SealingFault& fault : input.Faults)
     {
+      this->SheetsOfFaults.push_back(fault.PartOf ? this->SheetsOfFaults[*fault.PartOf] : this->Sheets.size());
+      if (fault.PartOf)
+      {
+        continue;
+      }
       this->AddSheet(this->HeightsOf(fault.Plate), options.FaultError);
     }
     this->FirstWall = this->Sheets.size();
@@ -133,7 +139,7 @@ public:
     }
     if (sheet >= this->FirstFault)
     {
-      const FaultPlate& plate = this->Input.Faults[sheet - this->FirstFault].Plate;
+      const FaultPlate& plate = this->PlateOf(sheet);
       const FaultPlace at = plate.ToPlace(place);
       return plate.Contains(at.S, at.Z) ? VertexSource::Picks : VertexSource::Continued;
     }
@@ -189,7 +195,7 @@ public:
     };
     const auto isHanging = [&](std::size_t fault)
     {
-      const std::size_t number = this->FirstFault + fault;
+      const std::size_t number = this->SheetsOfFaults[fault];
       return number == own ? side == 0 : this->HeightOver(number, place) > 0.0;
     };
     const BlockSides sides = this->Tree.Find(isHanging, isBelow);
@@ -240,12 +246,38 @@ private:
       return this->Blocks[a].Horizon != this->Blocks[b].Horizon &&
         BlockTree::AreTogether(this->Blocks[a].Sides, this->Blocks[b].Sides);
     }
-    const std::size_t fault = b - this->FirstFault;
-    if (a >= this->FirstFault)
+    for (std::size_t fault = 0; fault < this->SheetsOfFaults.size(); ++fault)
     {
-      return this->Tree.CanMeet(a - this->FirstFault, fault);
+      if (this->SheetsOfFaults[fault] == b && this->CanReach(a, fault))
+      {
+        return true;
+      }
     }
-    return this->Blocks[a].Sides[fault] != 0 || this->Input.Faults[fault].EndsBelow == this->Blocks[a].Horizon;
+    return false;
+  }
+
+  /// Whether a fault may meet the sheet of a horizon or another fault.
+  bool CanReach(std::size_t sheet, std::size_t fault) const
+  {
+    if (sheet < this->FirstFault)
+    {
+      return this->Blocks[sheet].Sides[fault] != 0 ||
+        this->Input.Faults[fault].EndsBelow == this->Blocks[sheet].Horizon;
+    }
+    for (std::size_t other = 0; other < this->SheetsOfFaults.size(); ++other)
+    {
+      if (this->SheetsOfFaults[other] == sheet && this->Tree.CanMeet(other, fault))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const FaultPlate& PlateOf(std::size_t sheet) const
+  {
+    const auto fault = std::find(this->SheetsOfFaults.begin(), this->SheetsOfFaults.end(), sheet);
+    return this->Input.Faults[std::size_t(fault - this->SheetsOfFaults.begin())].Plate;
   }
 
   std::size_t FindBlock(std::size_t horizon, const BlockSides& sides) const
@@ -268,7 +300,7 @@ private:
     }
     if (sheet >= this->FirstFault)
     {
-      const FaultPlate& plate = this->Input.Faults[sheet - this->FirstFault].Plate;
+      const FaultPlate& plate = this->PlateOf(sheet);
       return plate.Distance(plate.ToPlace(place));
     }
     // Far from its block, a horizon is only needed to tell above from below.
@@ -312,6 +344,7 @@ private:
   Eigen::AlignedBox3d Box;
   std::vector<BlockHeights> Blocks;
   std::vector<Sheet> Sheets; // of blocks, faults, walls along x and y, base and top
+  std::vector<std::size_t> SheetsOfFaults; // Parts of one fault share it.
   std::size_t FirstFault = 0;
   std::size_t FirstWall = 0;
   std::vector<SheetLocator> Locators;
@@ -350,7 +383,10 @@ std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
   }
   for (const SealingFault& fault : input.Faults)
   {
-    surfaces.push_back({ fault.Plate.Name(), SealedSurfaceType::Fault });
+    if (!fault.PartOf)
+    {
+      surfaces.push_back({ fault.Plate.Name(), SealedSurfaceType::Fault });
+    }
   }
   for (const char* const name : { "West", "East", "South", "North" })
   {
@@ -441,6 +477,8 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
     Improve(CutAndLabel(sheets, column, monitor.Step(0.4, 0.7)), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
   SealedModel model;
   model.Surfaces = NameSurfaces(input);
+  std::transform(input.Faults.begin(), input.Faults.end(), std::back_inserter(model.FaultNames),
+    [](const SealingFault& fault) { return fault.Plate.Name(); });
   model.Vertices = complex.Vertices;
   Describe(complex, sheets, model);
   constexpr double thinnest = 1e-3; // columns

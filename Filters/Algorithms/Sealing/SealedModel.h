@@ -41,6 +41,8 @@ struct SealingFault
   std::vector<FaultSideOf> Region;
   /// The fault ends at this horizon from below, and does not cut those above.
   std::optional<std::size_t> EndsBelow;
+  /// This is another part of that earlier fault.
+  std::optional<std::size_t> PartOf;
 };
 
 struct SealingHorizon
@@ -145,6 +147,7 @@ struct SealedModel
   std::vector<SealedSurface> Surfaces; // horizons, faults, walls, top and base
   std::vector<SealedBody> Bodies;
   std::vector<std::vector<signed char>> Blocks; // sides by fault: 1 hanging wall, -1 footwall, 0 not there
+  std::vector<std::string> FaultNames; // by fault, those of parts included
   std::vector<SealedLine> Lines;
   std::vector<SealedGuess> Guessed;
   std::vector<PickAccount> Accounts; // by horizon

@@ -71,7 +71,7 @@ SealingFault& AddFault(TrueModel& model, FaultPicks picks, FaultDistance distanc
 {
   picks.Name = "F" + std::to_string(model.Input.Faults.size() + 1);
   model.Distances.push_back(std::move(distance));
-  return model.Input.Faults.emplace_back(SealingFault{ FaultPlate(picks), {}, {} });
+  return model.Input.Faults.emplace_back(SealingFault{ FaultPlate(picks), {}, {}, {} });
 }
 
 void AddListric(TrueModel& model)

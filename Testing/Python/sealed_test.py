@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sealed models in turned surveys far from the origin: volumes, sides, the account of picks, what is said, and files.
+
+Arguments: the program horizon-mesh, and a folder for files.
+"""
+
+import math
+import pathlib
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+import seismichorizons as sh
+
+PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+DEPTHS = {"A": -1000.0, "B": -1200.0, "C": -1450.0}
+SIZE, LEVELS = 2000.0, 200  # of the survey; for true volumes
+SLOPE = 1.0 / math.tan(math.radians(60.0))
+ORIGIN, TURN = np.array((612345.6, 6065432.1)), math.radians(27.0)
+
+
+def turned(u, v, angle=TURN, origin=ORIGIN):
+    return origin + np.stack([u, v], -1) @ np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+
+
+class Graben:
+    """F2 dips against F1, in its hanging wall."""
+
+    faults = {"F1": (700.0, 1.0), "F2": (1200.0, -1.0)}  # u at -1200, and the side of the hanging wall
+    throws = {"F1": 120.0, "F2": 60.0}
+
+    def __init__(self, bins=(25.0, 20.0), rough=0.0):
+        self.bins, self.rough = bins, rough
+        self.u, self.v = np.meshgrid(np.arange(SIZE / bins[0] + 1) * bins[0], np.arange(SIZE / bins[1] + 1) * bins[1])
+
+    def hanging(self, name, u, z):
+        at, side = self.faults[name]
+        return side * (u - at) + SLOPE * (z + 1200.0) > 0.0
+
+    def foot(self, name, u, v):
+        return DEPTHS[name] + 25.0 * np.sin(u / 420.0) * np.cos(v / 560.0)
+
+    def picks(self, name):
+        """NaN where the horizon is cut out."""
+        z, foot = np.full(self.u.shape, np.nan), self.foot(name, self.u, self.v)
+        for sides, drop in (((False, None), 0.0), ((True, False), 120.0), ((True, True), 180.0)):
+            height = foot - drop
+            own = self.hanging("F1", self.u, height) == sides[0]
+            z = np.where(own if sides[1] is None else own & (self.hanging("F2", self.u, height) == sides[1]), height, z)
+        return z + self.rough * np.random.default_rng(len(name)).normal(size=z.shape)
+
+    def horizons(self, change=lambda name, z: z, **options):
+        """Options of columns may be overridden, as in left-handed surveys."""
+        return {name: sh.horizon(change(name, self.picks(name)), **{**dict(origin=ORIGIN, spacing=self.bins, azimuth=63.0, direction="up", vertical_unit="m",
+                                 vertical_step=1.0, name=name), **options}) for name in DEPTHS}
+
+    def sticks(self):
+        z = np.linspace(-600.0, -2000.0, 8)
+        lines = [(name, np.column_stack((turned(at - side * SLOPE * (z + 1200.0), np.full(8, v)), z)))
+                 for name, (at, side) in self.faults.items() for v in np.arange(-300.0, 2400.0, 300.0)]
+        return sh.Lines([name for name, _ in lines], [line for _, line in lines], direction="up", vertical_unit="m")
+
+    def volumes(self, least, most):
+        """By layer, in a box of these heights."""
+        u, v = np.meshgrid((np.arange(LEVELS) + 0.5) * SIZE / LEVELS, (np.arange(LEVELS) + 0.5) * SIZE / LEVELS)
+        sums = np.zeros(len(DEPTHS) + 1)
+        for z in least + (np.arange(LEVELS) + 0.5) * (most - least) / LEVELS:
+            drop = np.where(self.hanging("F1", u, z), 120.0 + np.where(self.hanging("F2", u, z), 60.0, 0.0), 0.0)
+            layer = sum((z < self.foot(name, u, v) - drop).astype(int) for name in DEPTHS)
+            sums += np.bincount(layer.ravel(), minlength=len(sums))
+        return sums * SIZE * SIZE * (most - least) / LEVELS ** 3
+
+
+def sealed(horizons, faults, **options):
+    """The model, and what was said."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        model = sh.sealed(horizons, faults, **{"largest_error": 1.0, "endings": "F2 > F1", **options})
+    return model, " | ".join(str(one.message) for one in said)
+
+
+def layers(model):
+    return np.array([sum(volume for own, volume in zip(model.figures["layer"], model.figures["volume"]) if own == layer)
+                     for layer in ("above A", "A to B", "B to C", "below C")])
+
+
+class SealedTest(unittest.TestCase):
+    def test_volumes_and_sides(self):
+        """In right- and left-handed surveys, with oblong bins."""
+        graben = Graben()
+        faults, rows = graben.sticks(), graben.u.shape[0]
+        across = turned(np.array([25.0]), np.array([0.0]), origin=0.0)[0], turned(np.array([0.0]), np.array([-20.0]), origin=0.0)[0]
+        left = dict(origin=turned(np.array([0.0]), np.array([20.0 * (rows - 1)]))[0], spacing=None, azimuth=None, column_step=across[0], row_step=across[1])
+        for horizons in (graben.horizons(), graben.horizons(lambda _, z: z[::-1], **left)):
+            model, said = sealed(horizons, faults)
+            self.assertEqual((len(model), said), (12, ""))
+            box = model.points[:, 2].min(), model.points[:, 2].max()
+            np.testing.assert_allclose(layers(model), graben.volumes(*box), rtol=1e-3)
+            self.assertAlmostEqual(model.figures["volume"].sum() / (SIZE * SIZE * (box[1] - box[0])), 1.0, 9)
+            corners = model.points[model.triangles] - [*ORIGIN, 0.0]
+            normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+            self.assertTrue((normals[model.surface_type == 0, 2] > 0.0).all())
+            parts = np.einsum("ij,ij->i", corners[:, 0], normals) / 6.0
+            volumes = np.zeros(len(model))
+            for side, sign in ((model.body_above, -1.0), (model.body_below, 1.0)):
+                np.add.at(volumes, side[side >= 0], sign * parts[side >= 0])
+            np.testing.assert_allclose(volumes, model.figures["volume"], rtol=1e-9)
+            for number, one in enumerate(model.surface):
+                if one in graben.faults:
+                    above = model.names[model.body_above[number]]
+                    self.assertIn(one + " hanging wall", above)
+                    self.assertIn(one + " footwall", model.names[model.body_below[number]])
+    
+    def test_picks_are_accounted_for(self):
+        graben = Graben()
+
+        def change(name, z):
+            z = z.copy()
+            z[20:40, 10:30] = np.nan
+            if name == "B":
+                z -= 300.0 * np.exp(-((graben.u - 1600.0) / 150.0) ** 2)
+            if name == "C":
+                z += 400.0 * np.exp(-((graben.u - 1600.0) / 150.0) ** 2)
+            return z
+
+        horizons = graben.horizons(change)
+        model, said = sealed(horizons, graben.sticks())
+        for number, horizon in enumerate(horizons.values()):
+            given = np.isfinite(horizon.z).sum() if np.ndim(horizon.z) == 2 else len(horizon.z)
+            own = sum(model.picks[kind][number] for kind in ("used", "beside_faults", "not_agreeing", "doubled", "outside"))
+            self.assertEqual(own, given)
+        self.assertGreater(model.picks["moved"][2], 100)
+        self.assertIn("C moved at %d picks" % model.picks["moved"][2], said)
+
+    def test_what_is_said(self):
+        graben = Graben()
+        horizons, faults = graben.horizons(), graben.sticks()
+        _, said = sealed(horizons, faults, endings="")
+        self.assertIn("endings that were chosen", said)
+        model, said = sealed(graben.horizons(lambda _, z: np.where((graben.u > 300.0) & (graben.u < 600.0), np.nan, z)), faults)
+        self.assertIn("A continued over", said)
+        self.assertEqual(set(model.guessed), {0, 1})
+
+        def take_away(name, z):
+            """All but four picks of B in the footwall of F1."""
+            left = np.where(graben.hanging("F1", graben.u, z), z, np.nan)
+            left[[0, 0, -1, -1], [0, 1, 0, 1]] = z[[0, 0, -1, -1], [0, 1, 0, 1]]
+            return left if name == "B" else z
+
+        model, said = sealed(graben.horizons(take_away), faults)
+        self.assertIn("B without picks in the block F1 footwall", said)
+        self.assertIn(2, model.guessed)
+
+    def test_refused(self):
+        graben = Graben()
+        horizons, faults = graben.horizons(), graben.sticks()
+        twice = sh.Lines(faults.names + ["F3"] * 9, faults.lines + faults.lines[:9], direction="up", vertical_unit="m")
+        in_time = sh.Lines(faults.names, faults.lines, direction="up", vertical_unit="ms", vertical_domain="time")
+        for given, sticks, options, text in (
+                (horizons, faults, {"endings": "F9 > F1"}, "fault F9, expected the name of a fault"),
+                (horizons, faults, {"endings": "F2 > F1; F1 > F2"}, "expected rules without circles"),
+                (horizons, faults, {"endings": "F2, F1"}, "ending F2, F1, expected a fault, >"),
+                (horizons, faults, {"unconformities": "D"}, "unconformity D, expected the name of a horizon"),
+                (horizons, faults, {"unconformities": "A"}, "unconformities that no fault ends at"),
+                (horizons, faults, {"largest_error": 0.0}, "maximum error 0, expected more"),
+                (horizons, twice, {}, "within a column of F1, expected one of them"),
+                (graben.horizons(vertical_unit="ms"), in_time, {}, "horizons in time, expected depth"),
+                (graben.horizons(spacing=None, azimuth=None, column_step=(25.0, 0.0), row_step=(8.0, 20.0)), faults, {}, "degrees, expected 90")):
+            with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                sealed(given, sticks, **options)
+        with self.assertRaisesRegex(ValueError, "known from one horizon each"):
+            sealed(horizons, {name: sh.faults(horizon) for name, horizon in horizons.items()}, endings="", dip=60.0)
+
+    def test_stopped(self):
+        graben, parts = Graben(), []
+
+        def stop(part):
+            parts.append(part)
+            if part > 0.4:
+                raise StopIteration
+
+        with self.assertRaises(StopIteration):
+            sealed(graben.horizons(), graben.sticks(), progress=stop)
+        self.assertLess(parts[-1], 0.9)
+
+    def test_files(self):
+        """The program and the package write the same model."""
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        graben = Graben()
+        for name, horizon in graben.horizons().items():
+            sh.write(horizon, FOLDER / (name + ".dat"))
+        sh.write(graben.sticks(), FOLDER / "sticks.dat")
+        subprocess.run([sys.executable, PROGRAM, "--sealed", "--fault-sticks", "sticks.dat", "--fault-endings", "F2 > F1", "--largest-error", "1m", "--vertical-unit", "m",
+                        "--vertical-direction", "Up", "--output-folder", "out", "--no-pictures", "A.dat", "B.dat", "C.dat"], cwd=FOLDER, check=True, capture_output=True)
+        rows = (FOLDER / "out" / "stack_bodies.csv").read_text().splitlines()
+        self.assertEqual((rows[0], len(rows)), ("Layer,Block,Volume,Area", 13))
+        self.assertIn("F1,A to B,above A,", (FOLDER / "out" / "stack_fault_areas.csv").read_text())
+        model, _ = sealed(graben.horizons(), graben.sticks())
+        for ending in ("ml", "msh", "stl", "vtp"):
+            model.write(FOLDER / ("model." + ending))
+            self.assertGreater((FOLDER / ("model." + ending)).stat().st_size, 10000)
+        self.assertEqual((FOLDER / "model.ml").read_text().count("REGION "), (FOLDER / "out" / "stack_sealed.ml").read_text().count("REGION "))
+        with self.assertRaisesRegex(ValueError, "extension"):
+            model.write(FOLDER / "model.obj")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
