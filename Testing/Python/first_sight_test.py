@@ -83,7 +83,7 @@ class FirstSightTest(unittest.TestCase):
     def show(self, source, port=0):
         display = simple.Show(simple.OutputPort(source, port), self.view)
         meshes = ("HorizonSurface", "HorizonTriangulation", "HorizonDecimation")
-        has_edges = source.__class__.__name__ in (meshes if port == 0 else ("HorizonLayers",))
+        has_edges = source.__class__.__name__ in (meshes if port == 0 else ("HorizonLayers", "HorizonSealedModel"))
         self.assertEqual(display.Representation, "Surface With Edges" if has_edges else "Surface")
         return display
 

@@ -192,7 +192,8 @@ def check_ranks(label):
     for rank_of in (lambda n: n % SIZE, lambda n: (SIZE - 1 - n) % SIZE, lambda n: SIZE - 1):
         stage = prepare(class_name, inputs, rank_of, whole)
         stage.UpdatePiece(OWN, SIZE, 0)
-        assert not stage.told, (label, stage.told)
+        # That the fault has no throw is said.
+        assert set(stage.told) <= ({"warning"} if label == "sealed" else set()), (label, stage.told)
         for found, wanted in zip(outputs(stage), expected):
             for name, data in found.items():
                 assert content(data) == content(wanted[name]), (label, name)
