@@ -6,6 +6,7 @@
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Common/CellWriter.h"
 #include "Filters/Common/StageReport.h"
+#include "ModelTopology.h"
 
 #include <Eigen/Geometry>
 
@@ -126,15 +127,34 @@ Horizon WriteSurfaces(const SealedModel& model, const std::vector<std::string>& 
   return output;
 }
 
-/// Kinds of lines by what meets there.
-std::string TypeOf(const SealedModel& model, const SealedLine& line)
+ClosedModel ToClosedModel(const SealedModel& model)
 {
-  std::set<SealedSurfaceType> types;
-  for (const std::int32_t surface : line.Surfaces)
+  ClosedModel closed;
+  for (const Eigen::Vector3d& vertex : model.Vertices)
   {
-    types.insert(model.Surfaces[std::size_t(surface)].Type);
+    closed.Points.push_back({ vertex.x(), vertex.y(), vertex.z() });
   }
-  const auto has = [&types](SealedSurfaceType type) { return types.count(type) > 0; };
+  for (const SealedTriangle& triangle : model.Triangles)
+  {
+    const auto point = [&](std::size_t corner) { return PointId(triangle.Corners[corner]); };
+    closed.Triangles.push_back({ { point(0), point(1), point(2) }, std::size_t(triangle.Surface), triangle.Body });
+  }
+  for (const SealedSurface& surface : model.Surfaces)
+  {
+    closed.Surfaces.push_back({ surface.Name, int(surface.Type) });
+  }
+  closed.Bodies.resize(model.Bodies.size());
+  return closed;
+}
+
+/// Kinds of lines by what meets there.
+std::string TypeOf(const SealedModel& model, const std::set<std::size_t>& surfaces)
+{
+  const auto has = [&](SealedSurfaceType type)
+  {
+    return std::any_of(
+      surfaces.begin(), surfaces.end(), [&](std::size_t surface) { return model.Surfaces[surface].Type == type; });
+  };
   const bool isOutside = has(SealedSurfaceType::Wall) || has(SealedSurfaceType::Limit);
   return has(SealedSurfaceType::Horizon) && has(SealedSurfaceType::Fault) ? "cutoff"
     : has(SealedSurfaceType::Horizon)                                     ? (isOutside ? "outline" : "pinch-out")
@@ -146,18 +166,24 @@ Horizon WriteLines(const SealedModel& model)
 {
   CellWriter cells;
   std::vector<std::string> types, names;
-  for (const SealedLine& line : model.Lines)
+  const ModelTopology topology = FindTopology(ToClosedModel(model));
+  for (const ModelTopology::Line& line : topology.Lines)
   {
-    for (const std::int32_t vertex : line.Vertices)
+    for (const PointId point : line.Points)
     {
-      cells.Add(model.Vertices[std::size_t(vertex)]);
+      cells.Add(model.Vertices[std::size_t(point)]);
     }
     cells.Close();
-    types.push_back(TypeOf(model, line));
-    std::string name;
-    for (const std::int32_t surface : line.Surfaces)
+    std::set<std::size_t> surfaces;
+    for (const auto& [face, isForward] : line.Faces)
     {
-      name += (name.empty() ? "" : ", ") + model.Surfaces[std::size_t(surface)].Name;
+      surfaces.insert(topology.Faces[face].Surface);
+    }
+    types.push_back(TypeOf(model, surfaces));
+    std::string name;
+    for (const std::size_t surface : surfaces)
+    {
+      name += (name.empty() ? "" : ", ") + model.Surfaces[surface].Name;
     }
     names.push_back(name);
   }

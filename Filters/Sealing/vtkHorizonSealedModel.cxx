@@ -95,7 +95,7 @@ int vtkHorizonSealedModel::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-// The first process makes the model, and tells the others the names of bodies, so that all have the same blocks.
+// The first process makes the model, and sends the names of bodies, so that all have the same blocks.
 int vtkHorizonSealedModel::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -6,7 +6,7 @@
 #ifndef SeismicHorizonsModelPrinters_h
 #define SeismicHorizonsModelPrinters_h
 
-#include "ModelTopology.h"
+#include "Filters/Sealing/ModelTopology.h"
 #include "Writers/HorizonLayers/LayersPrinter.h"
 
 #include <ostream>

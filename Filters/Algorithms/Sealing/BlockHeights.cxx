@@ -21,7 +21,7 @@ constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
 constexpr int Around = 4; // columns kept around a block
 constexpr double LeastApart = 2.5; // errors, between horizons of a block
-constexpr std::size_t FewestOfBlock = 6; // of a block whose heights they tell
+constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
 constexpr int Rim = 6; // columns of picks that the continuation follows
 
 double MeanOf(const std::vector<double>& known)
@@ -124,7 +124,7 @@ private:
     return true;
   }
 
-  /// Gives nodes without a height that of the nearest node with one, as far as accepts(node, height).
+  /// Gives nodes without a height the one of the nearest node, as far as accepts(node, height).
   template <typename Accepts>
   void Spread(std::vector<double>& heights, Accepts&& accepts) const
   {

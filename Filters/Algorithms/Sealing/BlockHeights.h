@@ -66,7 +66,7 @@ struct BlockHeights
   std::vector<double> Nearest; // the nearest of these
   std::vector<unsigned char> IsKnown; // by node
   std::size_t Known = 0; // nodes
-  bool IsGuessed = false; // no pick tells
+  bool IsGuessed = false; // without enough picks
 };
 
 struct HorizonBlocks

@@ -78,7 +78,7 @@ public:
     return sides;
   }
 
-  /// Whether both are parts of one block, as far as they tell.
+  /// Whether both may be parts of one block.
   static bool AreTogether(const BlockSides& a, const BlockSides& b)
   {
     for (std::size_t fault = 0; fault < a.size(); ++fault)

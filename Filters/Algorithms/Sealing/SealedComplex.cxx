@@ -97,38 +97,6 @@ struct EdgeSide
   int Rising; // the side that faces rising angles
 };
 
-/// An edge where surfaces meet.
-struct LineEdge
-{
-  std::array<SealId, 2> Ends;
-  std::vector<std::array<SealId, 3>> Kind; // sheets and labels
-  std::vector<SealId> Triangles;
-  bool IsUsed = false;
-};
-
-std::vector<LineEdge> ListLineEdges(const SealedComplex& complex)
-{
-  std::vector<LineEdge> all;
-  const std::vector<ComplexEdge> edges = SortEdges(complex.Triangles);
-  ForEachEdge(edges,
-    [&](std::size_t first, std::size_t last)
-    {
-      LineEdge edge{ { SealId(edges[first].Key >> 32U), SealId(edges[first].Key & 0xFFFFFFFFU) }, {}, {} };
-      for (std::size_t n = first; n < last; ++n)
-      {
-        const LabelledTriangle& triangle = complex.Triangles[std::size_t(edges[n].Triangle)];
-        edge.Kind.push_back({ triangle.Sheet, triangle.Labels[0], triangle.Labels[1] });
-        edge.Triangles.push_back(edges[n].Triangle);
-      }
-      std::sort(edge.Kind.begin(), edge.Kind.end());
-      if (edge.Kind.size() != 2 || edge.Kind[0] != edge.Kind[1])
-      {
-        all.push_back(std::move(edge));
-      }
-    });
-  return all;
-}
-
 /// Triangles at an edge in the order of their angles around it.
 std::vector<EdgeSide> SidesAround(
   const SealedComplex& complex, const std::vector<ComplexEdge>& edges, std::size_t first, std::size_t last)
@@ -279,52 +247,5 @@ ComplexBodies FindBodies(const SealedComplex& complex)
       numbers[std::size_t(sides.Find(std::int32_t(2 * n + 1)))] });
   }
   return bodies;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<ComplexLine> FindLines(const SealedComplex& complex)
-{
-  std::vector<LineEdge> all = ListLineEdges(complex);
-  std::vector<std::vector<std::size_t>> at(complex.Vertices.size());
-  for (std::size_t edge = 0; edge < all.size(); ++edge)
-  {
-    at[std::size_t(all[edge].Ends[0])].push_back(edge);
-    at[std::size_t(all[edge].Ends[1])].push_back(edge);
-  }
-  const auto isCorner = [&](SealId vertex)
-  {
-    const std::vector<std::size_t>& own = at[std::size_t(vertex)];
-    return own.size() != 2 || all[own[0]].Kind != all[own[1]].Kind;
-  };
-  std::vector<ComplexLine> lines;
-  const auto follow = [&](std::size_t edge, SealId from)
-  {
-    ComplexLine line{ { from }, all[edge].Triangles };
-    for (;;)
-    {
-      all[edge].IsUsed = true;
-      const SealId next = all[edge].Ends[0] == line.Vertices.back() ? all[edge].Ends[1] : all[edge].Ends[0];
-      line.Vertices.push_back(next);
-      const std::vector<std::size_t>& own = at[std::size_t(next)];
-      if (next == from || isCorner(next))
-      {
-        break;
-      }
-      edge = own[0] == edge ? own[1] : own[0];
-    }
-    lines.push_back(std::move(line));
-  };
-  for (const bool areClosed : { false, true })
-  {
-    for (std::size_t edge = 0; edge < all.size(); ++edge)
-    {
-      const auto start = std::find_if(all[edge].Ends.begin(), all[edge].Ends.end(), isCorner);
-      if (!all[edge].IsUsed && (areClosed || start != all[edge].Ends.end()))
-      {
-        follow(edge, areClosed ? all[edge].Ends[0] : *start);
-      }
-    }
-  }
-  return lines;
 }
 }

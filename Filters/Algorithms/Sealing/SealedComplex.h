@@ -40,7 +40,7 @@ struct SealedComplex
 /// The label just before a place of a sheet (side 0), or behind.
 using LabelFinder = std::function<SealedLabel(const Eigen::Vector3d& place, std::int32_t sheet, int side)>;
 
-/// Keeps the triangles whose sides differ. Parts of a sheet between lines are alike, so that one place tells.
+/// Keeps the triangles whose sides differ. Parts of a sheet between lines are alike, so that one place is enough.
 SealedComplex KeepDifferent(Arrangement arrangement, const LabelFinder& labelAt, const Monitor& monitor = Monitor());
 
 /// Drops vertices without a triangle.
@@ -56,15 +56,6 @@ struct ComplexBodies
   std::vector<double> Volumes;
   double LeastAngle = 180.0; // between triangles at an edge, in degrees
 };
-
-/// Where surfaces meet, between corners.
-struct ComplexLine
-{
-  std::vector<SealId> Vertices; // the first again at the end of a closed line
-  std::vector<SealId> Triangles; // at the first edge
-};
-
-std::vector<ComplexLine> FindLines(const SealedComplex& complex);
 
 /// Throws InputError with the place where bodies are not closed.
 ComplexBodies FindBodies(const SealedComplex& complex);

@@ -5,10 +5,10 @@
 // each change is tested before it is made:
 //
 // - A vertex moves to the other end of an edge, one on a line along the line. The neighbours that both ends have in
-//   common are those of the triangles between them (Dey et al. 1999, "Topology preserving edge contraction").
+//   common are corners of the triangles between them (Dey et al. 1999, "Topology preserving edge contraction").
 // - On the plane of its sheet, each triangle stays counter-clockwise.
 // - No new triangle meets another one but at common corners and edges.
-// - Heights of the sheet are within its error, and places of lines within that of lines.
+// - Heights of the sheet are within its error, and places that lines had within the error of lines.
 // - No angle gets smaller than the smallest allowed, or than it was.
 
 #ifndef SeismicHorizonsSealedImprover_h

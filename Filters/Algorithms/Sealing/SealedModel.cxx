@@ -303,7 +303,7 @@ private:
       const FaultPlate& plate = this->PlateOf(sheet);
       return plate.Distance(plate.ToPlace(place));
     }
-    // Far from its block, a horizon is only needed to tell above from below.
+    // Far from its block, a horizon only has to be above or below.
     const Eigen::Vector2d column = (place.head<2>().array() / this->Input.Step.array()).round();
     PlanePoint nearest = { std::int32_t(column.x()), std::int32_t(column.y()) };
     return place.z() - this->Blocks[sheet].Nearest[this->Lattice.NodeOf(nearest)];
@@ -413,7 +413,7 @@ std::size_t CountSlivers(const SealedComplex& complex, double thickness)
     }));
 }
 
-/// Adds triangles, bodies and lines.
+/// Adds triangles and bodies.
 void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedModel& model)
 {
   const ComplexBodies bodies = FindBodies(complex);
@@ -448,21 +448,6 @@ void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedMod
     {
       body = body < 0 ? body : numbers[std::size_t(body)];
     }
-  }
-  for (ComplexLine& line : FindLines(complex))
-  {
-    SealedLine& added = model.Lines.emplace_back();
-    added.Vertices = std::move(line.Vertices);
-    for (const std::int32_t number : line.Triangles)
-    {
-      const LabelledTriangle& triangle = complex.Triangles[std::size_t(number)];
-      const std::int32_t surface = sheets.SurfaceOf(triangle.Sheet);
-      added.Surfaces.push_back(surface);
-      const bool isHorizon = model.Surfaces[std::size_t(surface)].Type == SealedSurfaceType::Horizon;
-      added.Block = isHorizon ? triangle.Labels[1] / layers : added.Block;
-    }
-    std::sort(added.Surfaces.begin(), added.Surfaces.end());
-    added.Surfaces.erase(std::unique(added.Surfaces.begin(), added.Surfaces.end()), added.Surfaces.end());
   }
 }
 }

@@ -103,19 +103,11 @@ struct SealedBody
   double Volume = 0.0;
 };
 
-/// A horizon in a block where no pick tells its height.
+/// A horizon in a block without enough picks.
 struct SealedGuess
 {
   std::size_t Horizon;
   std::vector<signed char> Sides; // of the block, as in Blocks
-};
-
-/// Where surfaces meet, between corners.
-struct SealedLine
-{
-  std::vector<std::int32_t> Vertices; // the first again at the end of a closed line
-  std::vector<std::int32_t> Surfaces; // ascending
-  std::int32_t Block = -1; // of a horizon that ends there
 };
 
 enum class VertexSource : unsigned char
@@ -148,7 +140,6 @@ struct SealedModel
   std::vector<SealedBody> Bodies;
   std::vector<std::vector<signed char>> Blocks; // sides by fault: 1 hanging wall, -1 footwall, 0 not there
   std::vector<std::string> FaultNames; // by fault, those of parts included
-  std::vector<SealedLine> Lines;
   std::vector<SealedGuess> Guessed;
   std::vector<PickAccount> Accounts; // by horizon
   double LargestError = 0.0; // of picks that are used, and not moved

@@ -90,35 +90,35 @@ void WriteModel(const TrueModel& truth, const SealedModel& model, const std::vec
   }
 }
 
-/// The root mean square of how far cutoffs are from the true horizon of the nearest block.
+/// The root mean square of how far points of horizons at faults are from the true horizon of the nearest block.
 double MeasureCutoffHeights(const TrueModel& truth, const SealedModel& model)
 {
-  double sum = 0.0, count = 0.0;
-  for (const SealedLine& line : model.Lines)
+  std::vector<unsigned char> areAtFault(model.Vertices.size(), 0);
+  std::map<std::int32_t, std::size_t> horizons; // by vertex
+  for (const SealedTriangle& triangle : model.Triangles)
   {
-    std::vector<std::size_t> horizons;
-    bool isAtFault = false;
-    for (const std::int32_t number : line.Surfaces)
+    const SealedSurfaceType type = model.Surfaces[std::size_t(triangle.Surface)].Type;
+    for (const std::int32_t corner : triangle.Corners)
     {
-      const SealedSurfaceType type = model.Surfaces[std::size_t(number)].Type;
-      isAtFault = isAtFault || type == SealedSurfaceType::Fault;
-      horizons.insert(horizons.end(), type == SealedSurfaceType::Horizon ? 1 : 0, std::size_t(number));
-    }
-    for (const std::int32_t number : line.Vertices)
-    {
-      const Eigen::Vector3d& vertex = model.Vertices[std::size_t(number)];
-      double off = 1e300;
-      for (const std::vector<signed char>& block : model.Blocks)
+      areAtFault[std::size_t(corner)] |= type == SealedSurfaceType::Fault ? 1 : 0;
+      if (type == SealedSurfaceType::Horizon)
       {
-        const std::vector<int> sides(block.begin(), block.end());
-        const double height = isAtFault && horizons.size() == 1
-          ? truth.Height(horizons.front(), sides, vertex.x(), vertex.y())
-          : vertex.z();
-        off = std::min(off, std::abs(height - vertex.z()));
+        horizons[corner] = std::size_t(triangle.Surface);
       }
-      sum += off * off;
-      count += isAtFault && horizons.size() == 1 ? 1.0 : 0.0;
     }
+  }
+  double sum = 0.0, count = 0.0;
+  for (const auto& [number, horizon] : horizons)
+  {
+    const Eigen::Vector3d& vertex = model.Vertices[std::size_t(number)];
+    double off = 1e300;
+    for (const std::vector<signed char>& block : model.Blocks)
+    {
+      const std::vector<int> sides(block.begin(), block.end());
+      off = std::min(off, std::abs(truth.Height(horizon, sides, vertex.x(), vertex.y()) - vertex.z()));
+    }
+    sum += areAtFault[std::size_t(number)] != 0 ? off * off : 0.0;
+    count += areAtFault[std::size_t(number)] != 0 ? 1.0 : 0.0;
   }
   return std::sqrt(sum / std::max(count, 1.0));
 }
