@@ -80,15 +80,23 @@ public:
   void Limit(BlockHeights& block, PickAccount& account) const
   {
     const auto width = std::size_t(this->Lattice.Width), height = std::size_t(this->Lattice.Height);
-    std::vector<unsigned char> isKept(block.Nearest.size(), 0);
-    for (std::size_t node = 0; node < isKept.size(); ++node)
-    {
-      isKept[node] = this->IsInside(block.Sides, node, block.Nearest[node], 1.0) ? 1 : 0;
-      if (this->Lattice.IsInBox(node) && this->IsInside(block.Sides, node, block.Nearest[node], 0.0))
+    std::vector<unsigned char> isKept(block.Nearest.size(), 0), isThere(block.Nearest.size(), 0);
+    ParallelFor(std::int64_t(isKept.size()), Grain, Monitor(),
+      [&](std::int64_t first, std::int64_t last)
       {
-        ++account.Columns;
-        account.Continued += block.IsKnown[node] == 0 ? 1 : 0;
-      }
+        for (auto node = std::size_t(first); node < std::size_t(last); ++node)
+        {
+          isKept[node] = this->IsInside(block.Sides, node, block.Nearest[node], 1.0) ? 1 : 0;
+          isThere[node] = isKept[node] != 0 && this->Lattice.IsInBox(node) &&
+              this->IsInside(block.Sides, node, block.Nearest[node], 0.0)
+            ? 1
+            : 0;
+        }
+      });
+    for (std::size_t node = 0; node < isThere.size(); ++node)
+    {
+      account.Columns += isThere[node];
+      account.Continued += isThere[node] != 0 && block.IsKnown[node] == 0 ? 1 : 0;
     }
     for (int step = 0; step < Around; ++step)
     {
@@ -112,7 +120,7 @@ private:
   bool IsInside(const BlockSides& sides, std::size_t node, double height, double margin) const
   {
     const Eigen::Vector2d place = this->Lattice.At(node);
-    for (std::size_t fault = 0; fault < sides.size(); ++fault)
+    for (std::size_t fault = sides.size(); fault-- > 0;) // The last ones bound the block.
     {
       const FaultPlate& plate = this->Faults[fault].Plate;
       if (sides[fault] != 0 &&
@@ -403,17 +411,19 @@ void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeight
   PickAccount& account = accounts[block.Horizon];
   const double highest = input.Top - least * double(block.Horizon + 1);
   const double lowest = input.Base + least * double(input.Horizons.size() - block.Horizon);
+  std::vector<const BlockHeights*> above;
+  for (std::size_t upper = 0; upper < number; ++upper)
+  {
+    const bool isAbove =
+      blocks[upper].Horizon < block.Horizon && BlockTree::AreTogether(blocks[upper].Sides, block.Sides);
+    above.insert(above.end(), isAbove ? 1 : 0, &blocks[upper]);
+  }
   for (std::size_t node = 0; node < block.Nearest.size(); ++node)
   {
     double most = highest;
-    for (std::size_t upper = 0; upper < number; ++upper)
+    for (const BlockHeights* const other : above)
     {
-      const BlockHeights& other = blocks[upper];
-      if (other.Horizon < block.Horizon && BlockTree::AreTogether(other.Sides, block.Sides) &&
-        std::isfinite(other.Heights[node]))
-      {
-        most = std::min(most, other.Heights[node] - least);
-      }
+      most = std::isfinite(other->Heights[node]) ? std::min(most, other->Heights[node] - least) : most;
     }
     const double height = std::max(lowest, std::min(most, block.Nearest[node]));
     const double move = block.IsKnown[node] != 0 ? std::abs(height - block.Nearest[node]) : 0.0;
