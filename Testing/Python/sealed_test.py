@@ -57,10 +57,10 @@ class Graben:
         return {name: sh.horizon(change(name, self.picks(name)), **{**dict(origin=ORIGIN, spacing=self.bins, azimuth=63.0, direction="up", vertical_unit="m",
                                  vertical_step=1.0, name=name), **options}) for name in DEPTHS}
 
-    def sticks(self):
+    def sticks(self, slope=SLOPE, **more):
         z = np.linspace(-600.0, -2000.0, 8)
-        lines = [(name, np.column_stack((turned(at - side * SLOPE * (z + 1200.0), np.full(8, v)), z)))
-                 for name, (at, side) in self.faults.items() for v in np.arange(-300.0, 2400.0, 300.0)]
+        lines = [(name, np.column_stack((turned(at - side * slope * (z + 1200.0), np.full(8, v)), z)))
+                 for name, (at, side) in {**self.faults, **more}.items() for v in np.arange(-300.0, 2400.0, 300.0)]
         return sh.Lines([name for name, _ in lines], [line for _, line in lines], direction="up", vertical_unit="m")
 
     def volumes(self, least, most):
@@ -153,6 +153,30 @@ class SealedTest(unittest.TestCase):
         model, said = sealed(graben.horizons(take_away), faults)
         self.assertIn("B without picks in the block F1 footwall", said)
         self.assertIn(2, model.guessed)
+
+    def test_sticks_that_do_not_fit(self):
+        graben = Graben()
+        horizons = graben.horizons()
+        _, said = sealed(horizons, graben.sticks(F2=(900.0, -1.0)))
+        self.assertRegex(said, "parts of faults left out \\(F2 in the (footwall|hanging wall) of F1, [1-9][0-9] % of it\\)")
+        model, said = sealed(horizons, graben.sticks(F3=(1800.0, 1.0)))
+        self.assertIn("faults without a throw (F3)", said)
+        self.assertIn("F3", model.surface)
+        near = sealed(horizons, graben.sticks(F3=(760.0, 1.0)), endings="F2 > F1; F3 > F1; F2 > F3")[0]
+        self.assertIn("F3", near.surface)
+
+    def test_upright_faults(self):
+        """The hanging wall is where horizons are lower."""
+        graben = Graben()
+        graben.faults = {"F1": (1010.0, 1.0)}
+        for step in (80.0, -80.0):
+            z = np.where(graben.u > 1010.0, -1200.0 - step, -1200.0)
+            horizon = sh.horizon(z, origin=ORIGIN, spacing=graben.bins, azimuth=63.0, direction="up", vertical_unit="m", vertical_step=1.0, name="A")
+            model, _ = sealed([horizon], graben.sticks(slope=0.0), endings="")
+            flat = np.flatnonzero(model.surface_type == 0)
+            heights = model.points[model.triangles[flat], 2].mean(1)
+            hanging = np.array(["hanging" in model.names[model.body_below[n]] for n in flat])
+            self.assertLess(heights[hanging].max(), heights[~hanging].min())
 
     def test_refused(self):
         graben = Graben()
