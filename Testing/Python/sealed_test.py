@@ -165,6 +165,22 @@ class SealedTest(unittest.TestCase):
         near = sealed(horizons, graben.sticks(F3=(760.0, 1.0)), endings="F2 > F1; F3 > F1; F2 > F3")[0]
         self.assertIn("F3", near.surface)
 
+    def test_unconformities(self):
+        """A fault that ends below one may be larger than those that cut it, or smaller."""
+        v, u = np.mgrid[0:60, 0:80] * 25.0
+        foots, throws, volumes = {"F1": 600.0, "F2": 1400.0}, {"F1": 60.0, "F2": 60.0}, []
+        horizons = [sh.horizon(sum((np.where(u > foots[fault] - 0.5 * (z + 1200.0), -throw, 0.0) for fault, throw in own.items()), z), origin=(0.0, 0.0), spacing=(25.0, 25.0),
+                               azimuth=90.0, direction="up", vertical_unit="m", vertical_step=1.0, name=name)
+                    for name, z, own in (("U", -800.0, {"F2": 40.0}), ("A", -1300.0, throws), ("B", -1900.0, throws))]
+        for bottom in (-2000.0, -1500.0):
+            lines = [(fault, np.column_stack((foots[fault] - 0.5 * (z + 1200.0), np.full(8, y), z))) for y in np.arange(-100.0, 1700.0, 200.0)
+                     for fault, z in (("F1", np.linspace(-900.0, bottom, 8)), ("F2", np.linspace(-600.0, -1450.0, 8)))]
+            model, _ = sealed(horizons, sh.Lines([fault for fault, _ in lines], [line for _, line in lines], direction="up", vertical_unit="m"), endings="", unconformities="U")
+            above = {block for layer, block in zip(model.figures["layer"], model.figures["block"]) if layer == "above U"}
+            self.assertEqual((len(model), above), (11, {"F2 hanging wall", "F2 footwall"}))
+            volumes.append([sum(volume for own, volume in zip(model.figures["layer"], model.figures["volume"]) if own == layer) for layer in ("U to A", "A to B")])
+        np.testing.assert_allclose(volumes[0], volumes[1], rtol=0.001)
+
     def test_upright_faults(self):
         """The hanging wall is where horizons are lower."""
         graben = Graben()

@@ -153,8 +153,8 @@ void FaultPlate::Orient(const FaultPicks& picks)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-// Nodes are a fourth of the mean distance of picks apart along both axes, but there are 8 to 150 of them. The mean plane is subtracted, so that the
-// plate of a plane is exact.
+// Nodes are a fourth of the mean distance of picks apart along both axes, but there are 8 to 150 of them. The mean plane
+// is subtracted, so that the plate of a plane is exact.
 FaultPlate::Segments FaultPlate::MakeGrid(const FaultPicks& picks)
 {
   Segments segments;

@@ -17,7 +17,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-
 struct CutEdge
 {
   double Part; // of the way from the end with the lesser number
@@ -32,7 +31,7 @@ struct SheetCut
   std::vector<CutEdge> Between; // vertices of three triangles
 };
 
-/// A segment inside a triangle.
+/// A triangle's plane, for what is in it.
 struct TriangleView
 {
   Eigen::Vector3d Origin;

@@ -438,7 +438,7 @@ void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeight
 HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
 {
   const BlockLattice lattice(input);
-  const BlockTree tree(input.Faults, input.Horizons.size());
+  const BlockTree tree(input.Faults);
   const BlockFiller filler(lattice, input.Faults);
   const double drop = options.DropDistance * input.Step.maxCoeff();
   HorizonBlocks result;

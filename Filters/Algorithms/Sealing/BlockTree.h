@@ -20,10 +20,17 @@ using BlockSides = std::vector<signed char>;
 class BlockTree
 {
 public:
-  BlockTree(const std::vector<SealingFault>& faults, std::size_t horizons)
+  explicit BlockTree(const std::vector<SealingFault>& faults)
     : Faults(faults)
-    , Horizons(horizons)
+    , Regions(faults.size(), BlockSides(faults.size(), 0))
   {
+    for (std::size_t fault = 0; fault < faults.size(); ++fault)
+    {
+      for (const FaultSideOf& side : faults[fault].Region)
+      {
+        this->Regions[fault][side.Fault] = side.IsHanging ? 1 : -1;
+      }
+    }
   }
 
   bool Cuts(std::size_t fault, std::size_t horizon) const
@@ -32,12 +39,17 @@ public:
     return !end || *end < horizon;
   }
 
-  /// The part of sides that matters for a horizon.
-  BlockSides SidesAt(std::size_t horizon, BlockSides sides) const
+  /// The block of a horizon whose heights count at a place. isHanging(fault) gives the place's side.
+  template <typename IsHanging>
+  BlockSides FindAt(std::size_t horizon, IsHanging&& isHanging) const
   {
-    for (std::size_t fault = 0; fault < sides.size(); ++fault)
+    BlockSides sides(this->Faults.size(), 0);
+    for (std::size_t fault = 0; fault < this->Faults.size(); ++fault)
     {
-      sides[fault] = this->Cuts(fault, horizon) ? sides[fault] : static_cast<signed char>(0);
+      if (this->Cuts(fault, horizon) && this->Reaches(fault, sides))
+      {
+        sides[fault] = isHanging(fault) ? 1 : -1;
+      }
     }
     return sides;
   }
@@ -62,7 +74,7 @@ public:
     return blocks;
   }
 
-  /// The block of a place. isHanging(fault) gives its side, isBelow(horizon, sides) whether it is below the horizon.
+  /// The block of a place. isHanging(fault) gives its side, isBelow(horizon) whether it is below the horizon.
   template <typename IsHanging, typename IsBelow>
   BlockSides Find(IsHanging&& isHanging, IsBelow&& isBelow) const
   {
@@ -70,7 +82,7 @@ public:
     for (std::size_t fault = 0; fault < this->Faults.size(); ++fault)
     {
       const std::optional<std::size_t>& end = this->Faults[fault].EndsBelow;
-      if (this->Reaches(fault, sides) && (!end || isBelow(*end, sides)))
+      if (this->Reaches(fault, sides) && (!end || isBelow(*end)))
       {
         sides[fault] = isHanging(fault) ? 1 : -1;
       }
@@ -92,23 +104,13 @@ public:
   }
 
   /// Whether a place can be on both faults.
-  bool CanMeet(std::size_t a, std::size_t b) const { return AreTogether(this->RegionOf(a), this->RegionOf(b)); }
+  bool CanMeet(std::size_t a, std::size_t b) const { return AreTogether(this->Regions[a], this->Regions[b]); }
 
 private:
-  BlockSides RegionOf(std::size_t fault) const
-  {
-    BlockSides sides(this->Faults.size(), 0);
-    for (const FaultSideOf& side : this->Faults[fault].Region)
-    {
-      sides[side.Fault] = side.IsHanging ? 1 : -1;
-    }
-    return sides;
-  }
-
-  bool Reaches(std::size_t fault, const BlockSides& sides) const { return AreTogether(this->RegionOf(fault), sides); }
+  bool Reaches(std::size_t fault, const BlockSides& sides) const { return AreTogether(this->Regions[fault], sides); }
 
   const std::vector<SealingFault>& Faults;
-  std::size_t Horizons;
+  std::vector<BlockSides> Regions; // by fault
 };
 }
 

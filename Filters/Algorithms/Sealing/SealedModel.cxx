@@ -12,6 +12,7 @@
 #include "Sheets.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -31,7 +32,7 @@ public:
   ModelSheets(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
     : Input(input)
     , Options(options)
-    , Tree(input.Faults, input.Horizons.size())
+    , Tree(input.Faults)
     , Lattice(input)
     , Column(input.Step.maxCoeff())
   {
@@ -188,19 +189,24 @@ public:
         return OutsideLabel;
       }
     }
-    const auto isBelow = [&](std::size_t horizon, const BlockSides& sides)
-    {
-      const std::size_t number = this->FindBlock(horizon, this->Tree.SidesAt(horizon, sides));
-      return number == own ? side == 1 : this->HeightOver(number, place) < 0.0;
-    };
+    BlockSides known(this->Input.Faults.size(), 0);
     const auto isHanging = [&](std::size_t fault)
     {
-      const std::size_t number = this->SheetsOfFaults[fault];
-      return number == own ? side == 0 : this->HeightOver(number, place) > 0.0;
+      if (known[fault] == 0)
+      {
+        const std::size_t number = this->SheetsOfFaults[fault];
+        known[fault] = (number == own ? side == 0 : this->HeightOver(number, place) > 0.0) ? 1 : -1;
+      }
+      return known[fault] == 1;
+    };
+    const auto isBelow = [&](std::size_t horizon)
+    {
+      const std::size_t number = this->FindBlock(horizon, this->Tree.FindAt(horizon, isHanging));
+      return number == own ? side == 1 : this->HeightOver(number, place) < 0.0;
     };
     const BlockSides sides = this->Tree.Find(isHanging, isBelow);
     std::size_t layer = 0;
-    while (layer < this->Input.Horizons.size() && isBelow(layer, sides))
+    while (layer < this->Input.Horizons.size() && isBelow(layer))
     {
       ++layer;
     }
@@ -282,14 +288,10 @@ private:
 
   std::size_t FindBlock(std::size_t horizon, const BlockSides& sides) const
   {
-    for (std::size_t n = 0; n < this->Blocks.size(); ++n)
-    {
-      if (this->Blocks[n].Horizon == horizon && this->Blocks[n].Sides == sides)
-      {
-        return n;
-      }
-    }
-    throw InputError("no block"); // TODO
+    const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),
+      [&](const BlockHeights& block) { return block.Horizon == horizon && block.Sides == sides; });
+    assert(found != this->Blocks.end());
+    return std::size_t(found - this->Blocks.begin());
   }
 
   double HeightOver(std::size_t sheet, const Eigen::Vector3d& place) const

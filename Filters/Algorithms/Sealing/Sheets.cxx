@@ -19,14 +19,12 @@ Sheet MeshSheet(const SheetHeights& heights, double error, const Monitor& monito
   const auto width = std::size_t(heights.Width);
   SurfacePoints points;
   std::vector<PlanePoint> columns;
-  std::vector<std::size_t> nodes;
   for (std::size_t node = 0; node < heights.Heights.size(); ++node)
   {
     if (std::isfinite(heights.Heights[node]))
     {
       columns.push_back({ std::int32_t(node % width), std::int32_t(node / width) });
       points.Height.push_back(heights.Heights[node]);
-      nodes.push_back(node);
     }
   }
   points.Columns = columns;
