@@ -149,9 +149,10 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     surfaces = made["surfaces"]
     cells = surfaces["cell_data"]
     bodies = [mesh_of(name, {**body, "point_data": {}, "cell_data": {}}, {}, body["field_data"], None) for name, body in zip(made["names"], made["bodies"])]
+    figures, areas, picks = ({snake(name): values for name, values in made[table].items()} for table in ("figures", "areas", "picks"))
     return SealedModel(np.asarray(surfaces["places"]), np.asarray(surfaces["polygons"][1]).reshape(-1, 3), list(cells["SurfaceName"]),
                        cells["SurfaceType"], cells["BodyAbove"], cells["BodyBelow"], surfaces["point_data"]["Guessed"], made["names"], bodies,
-                       Lines.of(_named(made["lines"])), *({snake(name): values for name, values in made[table].items()} for table in ("figures", "areas", "picks")), surfaces)
+                       Lines.of(_named(made["lines"])), figures, areas, picks, surfaces)
 
 
 def _named(lines: Data) -> Data:

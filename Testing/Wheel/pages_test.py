@@ -22,11 +22,22 @@ MISSING = "|".join(["pipeline"] + [name for name in ("resqpy", "pyzgy", "mdio") 
 PROJECT, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 
 
-def horizon(depth, name):
+def horizon(depth, name, unit="ms"):
     j, i = np.mgrid[0:60, 0:80]
     z = depth + 20.0 * np.sin(i / 11.0) * np.cos(j / 9.0) + np.random.default_rng(1).normal(0.0, 0.2, i.shape)
     z[20:23, 30:40] = np.nan
-    return sh.horizon(z, spacing=(25.0, 25.0), vertical_unit="ms", name=name)
+    return sh.horizon(z, spacing=(25.0, 25.0), vertical_unit=unit, name=name)
+
+
+def sticks():
+    """Two faults that dip towards each other; the second one meets the first one below the horizons' middle."""
+    lines, names = [], []
+    for name, x, heave in (("F1", 800.0, 300.0), ("F2", 1300.0, -400.0)):
+        for y in np.arange(-100.0, 1601.0, 170.0):
+            z = np.linspace(-1350.0, -850.0, 11)
+            lines.append(np.column_stack((x - heave * (z + 1020.0) / 250.0, np.full(len(z), y), z)))
+            names.append(name)
+    return sh.Lines(names, lines, vertical_unit="m")
 
 
 def make_cube(path):
@@ -73,7 +84,9 @@ class PagesTest(unittest.TestCase):
         os.chdir(FOLDER)
         top, base = horizon(1000.0, "Top"), horizon(1040.0, "Base")
         sh.write({"Top": top, "Base": base}, "picks.dat")
+        sh.write({"Top": horizon(1000.0, "Top", "m"), "Base": horizon(1040.0, "Base", "m")}, "depths.dat")
         sh.write(horizon(1000.0, "Horizon 1"), "survey.vsm")
+        sh.write(sticks(), "sticks.dat")
         make_cube(FOLDER / "survey.sgy")
         make_others()
         picks = np.array([[1250.0, 5250.0, 200.0]])

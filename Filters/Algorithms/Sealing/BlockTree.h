@@ -103,10 +103,28 @@ public:
     return true;
   }
 
-  /// Whether a place can be on both faults.
-  bool CanMeet(std::size_t a, std::size_t b) const { return AreTogether(this->Regions[a], this->Regions[b]); }
+  /// Whether a place can be on both faults: no fault is between them, or they meet at or above the horizon where it ends.
+  bool CanMeet(std::size_t a, std::size_t b) const
+  {
+    for (std::size_t fault = 0; fault < this->Faults.size(); ++fault)
+    {
+      const std::optional<std::size_t>& end = this->Faults[fault].EndsBelow;
+      const bool isBetween = this->Regions[a][fault] * this->Regions[b][fault] < 0;
+      if (isBetween && !(end && this->MeetAt(*end, a, b)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 
 private:
+  bool MeetAt(std::size_t horizon, std::size_t a, std::size_t b) const
+  {
+    const auto ends = [&](std::size_t fault) { return this->Faults[fault].EndsBelow == horizon; };
+    return (this->Cuts(a, horizon) && (this->Cuts(b, horizon) || ends(b))) || (ends(a) && this->Cuts(b, horizon));
+  }
+
   bool Reaches(std::size_t fault, const BlockSides& sides) const { return AreTogether(this->Regions[fault], sides); }
 
   const std::vector<SealingFault>& Faults;

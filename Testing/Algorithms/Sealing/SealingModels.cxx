@@ -23,7 +23,7 @@ std::vector<double> PickColumn(const TrueModel& model, const std::vector<std::ve
     const double height = model.Height(horizon, sides, column.x(), column.y());
     const Eigen::Vector3d place(column.x(), column.y(), height);
     const double inside = DistanceInside(model, sides, place);
-    const bool isIn = inside > 0.0 && SidesAt(model, place) == sides;
+    const bool isIn = inside > 0.0 && SidesOn(model, horizon, place) == sides;
     if (isIn || (inside <= 0.0 && inside > -errors.WrongSide && random.Fraction() < 0.5))
     {
       heights.push_back(height);
@@ -252,6 +252,24 @@ WavyLayers MakeRandomLayers(std::size_t faults, Random& random)
   }
   return layers;
 }
+
+/// In 1 of 3 networks one horizon is an unconformity, which half of the faults do not cut.
+void AddUnconformity(TrueModel& model, WavyLayers& layers, Random& random)
+{
+  if (random.Below(3) != 0)
+  {
+    return;
+  }
+  const std::size_t horizon = random.Below(layers.Depths.size());
+  for (std::size_t fault = 0; fault < model.Input.Faults.size(); ++fault)
+  {
+    if (random.Below(2) == 0)
+    {
+      model.Input.Faults[fault].EndsBelow = horizon;
+      std::fill_n(layers.Throws[fault].begin(), horizon + 1, 0.0);
+    }
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -304,7 +322,9 @@ std::optional<TrueModel> MakeRandomNetwork(unsigned seed, int mostFaults)
   while (model.Distances.size() < faults && AddRandomFault(model, random))
   {
   }
-  AddHorizons(model, MakeRandomLayers(model.Distances.size(), random), PickErrors(), random);
+  WavyLayers layers = MakeRandomLayers(model.Distances.size(), random);
+  AddUnconformity(model, layers, random);
+  AddHorizons(model, layers, PickErrors(), random);
   for (const SealingHorizon& horizon : model.Input.Horizons)
   {
     const auto [least, greatest] = std::minmax_element(horizon.Heights.begin(), horizon.Heights.end());

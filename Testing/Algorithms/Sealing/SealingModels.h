@@ -199,19 +199,37 @@ inline bool HoldsRegion(const SealingFault& fault, const std::vector<int>& sides
     [&sides](const FaultSideOf& side) { return sides[side.Fault] == 0 || (sides[side.Fault] > 0) == side.IsHanging; });
 }
 
-inline std::vector<int> SidesAt(const TrueModel& model, const Eigen::Vector3d& place)
+template <typename IsThere>
+std::vector<int> FindSides(const TrueModel& model, const Eigen::Vector3d& place, IsThere&& isThere)
 {
   const std::vector<SealingFault>& faults = model.Input.Faults;
   std::vector<int> sides(faults.size(), 0);
   for (std::size_t n = 0; n < faults.size(); ++n)
   {
-    const std::optional<std::size_t>& end = faults[n].EndsBelow;
-    if (HoldsRegion(faults[n], sides) && (!end || place.z() < model.Height(*end, sides, place.x(), place.y())))
+    if (HoldsRegion(faults[n], sides) && isThere(faults[n]))
     {
       sides[n] = model.Distances[n](place) > 0.0 ? 1 : -1;
     }
   }
   return sides;
+}
+
+/// Of the faults that cut a horizon.
+inline std::vector<int> SidesOn(const TrueModel& model, std::size_t horizon, const Eigen::Vector3d& place)
+{
+  return FindSides(
+    model, place, [=](const SealingFault& fault) { return !fault.EndsBelow || *fault.EndsBelow < horizon; });
+}
+
+inline bool IsBelow(const TrueModel& model, std::size_t horizon, const Eigen::Vector3d& place)
+{
+  return place.z() < model.Height(horizon, SidesOn(model, horizon, place), place.x(), place.y());
+}
+
+inline std::vector<int> SidesAt(const TrueModel& model, const Eigen::Vector3d& place)
+{
+  return FindSides(model, place,
+    [&](const SealingFault& fault) { return !fault.EndsBelow || IsBelow(model, *fault.EndsBelow, place); });
 }
 
 /// All that there may be.

@@ -69,9 +69,9 @@ void AddColumn(const TrueModel& model, const std::vector<std::vector<int>>& bloc
 TruePlace FindTruePlace(const TrueModel& model, const Eigen::Vector3d& place)
 {
   TruePlace result = { 0, SidesAt(model, place) };
-  for (std::size_t n = 0; n < model.Input.Horizons.size(); ++n)
+  while (result.Layer < model.Input.Horizons.size() && IsBelow(model, result.Layer, place))
   {
-    result.Layer += model.Height(n, result.Sides, place.x(), place.y()) > place.z() ? 1 : 0;
+    ++result.Layer;
   }
   return result;
 }
