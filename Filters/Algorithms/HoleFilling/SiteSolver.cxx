@@ -30,8 +30,10 @@ namespace
 /// A smaller pivot, relative to its diagonal element, shows that nothing holds the sites: the least pivots of plates of
 /// 10^5 columns are near 1e-4 if held, and near 1e-15 otherwise.
 constexpr double SmallestPivot = 1e-9;
-/// For narrower bands, neither reordering nor multigrid is faster.
+/// For narrower bands, reordering is not faster.
 constexpr std::int32_t NarrowBand = 64;
+/// For wider ones, of large systems, multigrid is faster.
+constexpr std::int32_t WidestBand = 160;
 
 constexpr std::size_t CoarsestSize = 600; // A direct solution of this size is faster than another cycle.
 constexpr int MostCycles = 500;
@@ -92,12 +94,18 @@ SiteOrder ByStepsFrom(std::int32_t start, const SiteSystem<Radius>& system)
 }
 
 template <int Radius>
-bool IsNarrow(const SiteSystem<Radius>& system)
+std::int32_t BandOf(const SiteSystem<Radius>& system, const SiteOrder& order)
 {
+  SiteOrder position(order.size());
+  for (std::size_t n = 0; n < order.size(); ++n)
+  {
+    position[std::size_t(order[n])] = std::int32_t(n);
+  }
   std::int32_t width = 0;
-  ForEachCoefficient(
-    system, [&](std::int32_t site, std::int32_t other, double) { width = std::max(width, other - site); });
-  return width <= NarrowBand;
+  ForEachCoefficient(system,
+    [&](std::int32_t site, std::int32_t other, double)
+    { width = std::max(width, std::abs(position[std::size_t(other)] - position[std::size_t(site)])); });
+  return width;
 }
 
 template <int Radius>
@@ -105,7 +113,7 @@ SiteOrder ChooseOrder(const SiteSystem<Radius>& system)
 {
   SiteOrder order(system.Sites.Size());
   std::iota(order.begin(), order.end(), 0);
-  if (!IsNarrow(system))
+  if (BandOf(system, order) > NarrowBand)
   {
     order = ByStepsFrom(ByStepsFrom(0, system).back(), system); // The last site is at an end of the hole.
     std::reverse(order.begin(), order.end());
@@ -117,8 +125,8 @@ class EnvelopeCholesky final : public SiteSolver
 {
 public:
   template <int Radius>
-  explicit EnvelopeCholesky(const SiteSystem<Radius>& system)
-    : Order(ChooseOrder(system))
+  EnvelopeCholesky(const SiteSystem<Radius>& system, SiteOrder order)
+    : Order(std::move(order))
     , Ends(Order.size())
   {
     std::iota(this->Ends.begin(), this->Ends.end(), 1); // The diagonal belongs to the envelope even if it is 0.
@@ -557,7 +565,7 @@ public:
     {
       regular.Matrix[site][StencilMatrix<Radius>::Centre] *= 1.0 + trifle;
     }
-    this->Direct.emplace(regular);
+    this->Direct.emplace(regular, ChooseOrder(regular));
   }
 
   void Multiply(const std::vector<double>& values, std::vector<double>& product) const
@@ -819,9 +827,10 @@ private:
 template <int Radius>
 std::unique_ptr<const SiteSolver> MakeSiteSolver(const SiteSystem<Radius>& system)
 {
-  if (system.Sites.Size() < MultigridSize || IsNarrow(system))
+  SiteOrder order = ChooseOrder(system);
+  if (system.Sites.Size() < MultigridSize || BandOf(system, order) <= WidestBand)
   {
-    return std::make_unique<const EnvelopeCholesky>(system);
+    return std::make_unique<const EnvelopeCholesky>(system, std::move(order));
   }
   return std::make_unique<const Multigrid<Radius>>(system);
 }

@@ -13,8 +13,21 @@ using namespace ModelParts;
 
 namespace
 {
+/// Above an unconformity a lower horizon is eroded.
+bool IsEroded(const TrueModel& model, std::size_t horizon, const Eigen::Vector3d& place)
+{
+  for (std::size_t upper = 0; upper < horizon; ++upper)
+  {
+    if (!IsBelow(model, upper, place))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// On a fault there are no picks.
-std::vector<double> PickColumn(const TrueModel& model, const std::vector<std::vector<int>>& blocks, std::size_t horizon,
+std::vector<double> PickColumn(TrueModel& model, const std::vector<std::vector<int>>& blocks, std::size_t horizon,
   const Eigen::Vector2d& column, const PickErrors& errors, Random& random)
 {
   std::vector<double> heights;
@@ -24,7 +37,11 @@ std::vector<double> PickColumn(const TrueModel& model, const std::vector<std::ve
     const Eigen::Vector3d place(column.x(), column.y(), height);
     const double inside = DistanceInside(model, sides, place);
     const bool isIn = inside > 0.0 && SidesOn(model, horizon, place) == sides;
-    if (isIn || (inside <= 0.0 && inside > -errors.WrongSide && random.Fraction() < 0.5))
+    if (isIn && IsEroded(model, horizon, place))
+    {
+      ++model.Eroded;
+    }
+    else if (isIn || (inside <= 0.0 && inside > -errors.WrongSide && random.Fraction() < 0.5))
     {
       heights.push_back(height);
     }

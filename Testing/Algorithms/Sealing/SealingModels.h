@@ -33,6 +33,7 @@ struct TrueModel
   std::string Name;
   SealingInput Input;
   double Error = 1.0; // to seal with
+  std::size_t Eroded = 0; // columns of horizons without a pick
   std::vector<FaultDistance> Distances; // of faults, which go on where they are not in the model
   /// The height of horizon `n` in a block, continued beyond it. Sides are by fault: 1 in the hanging wall, -1 in the
   /// footwall, and 0 if the fault is not there.

@@ -136,6 +136,7 @@ Sealed Seal(const TrueModel& truth)
   SealingOptions options;
   options.MaximumError = options.FaultError = truth.Error;
   sealed.Model = SealModel(WithCutoffs(truth), options);
+  const SealingInput& input = truth.Input;
   const std::vector<double> volumes = TrueVolumes(truth, 200, 16);
   std::vector<double> found(volumes.size(), 0.0);
   double sum = 0.0;
@@ -148,7 +149,6 @@ Sealed Seal(const TrueModel& truth)
   {
     sealed.Off = std::max(sealed.Off, std::abs(found[layer] / volumes[layer] - 1.0));
   }
-  const SealingInput& input = truth.Input;
   const double box = input.Step.x() * (input.Greatest.X - input.Least.X) * input.Step.y() *
     (input.Greatest.Y - input.Least.Y) * (input.Top - input.Base);
   CHECK(std::abs(sum / box - 1.0) < 1e-12);
@@ -180,7 +180,7 @@ void TestDesigned()
   }
 }
 
-/// Volumes are only judged where each block has picks of each horizon.
+/// Volumes are only judged where each block has picks of each horizon, up to its faults.
 void TestNetworks()
 {
   constexpr unsigned first = 1, last = 31;
@@ -189,7 +189,7 @@ void TestNetworks()
     if (const std::optional<TrueModel> truth = MakeRandomNetwork(seed, 8))
     {
       const Sealed sealed = Seal(*truth);
-      CHECK(!sealed.Model.Guessed.empty() || sealed.Off < 0.01);
+      CHECK(!sealed.Model.Guessed.empty() || truth->Eroded > 0 || sealed.Off < 0.01);
     }
   }
 }
