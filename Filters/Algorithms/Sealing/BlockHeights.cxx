@@ -18,11 +18,14 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int32_t NoBlock = -1;
 constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
 constexpr int Around = 4; // columns kept around a block
 constexpr double LeastApart = 2.5; // errors, between horizons of a block
 constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
+constexpr double LeastNew = 0.01; // of the nodes of a continuation, for another one
 constexpr int Rim = 6; // columns of picks that the continuation follows
+constexpr std::int32_t FirstWidening = 16; // columns that a window grows by; four times as many each time
 
 double MeanOf(const std::vector<double>& known)
 {
@@ -35,96 +38,100 @@ double MeanOf(const std::vector<double>& known)
   return sum / std::max(count, 1.0);
 }
 
+/// The box of the model and some columns around it.
+BlockWindow WindowOf(const SealingInput& input, std::int32_t margin)
+{
+  BlockWindow box;
+  box.Least = { input.Least.X - margin, input.Least.Y - margin };
+  box.Greatest = { input.Greatest.X + margin, input.Greatest.Y + margin };
+  return box;
+}
+
+/// Visits the neighbours of a node in a window.
+template <typename Visitor>
+void ForEachBeside(const BlockWindow& window, std::size_t node, Visitor&& visit)
+{
+  const std::size_t width = window.Width(), x = node % width;
+  if (x > 0)
+  {
+    visit(node - 1);
+  }
+  if (x + 1 < width)
+  {
+    visit(node + 1);
+  }
+  if (node >= width)
+  {
+    visit(node - width);
+  }
+  if (node + width < window.Size())
+  {
+    visit(node + width);
+  }
+}
+
 class BlockFiller
 {
 public:
-  BlockFiller(const BlockLattice& lattice, const std::vector<SealingFault>& faults)
-    : Lattice(lattice)
-    , Faults(faults)
-    , Column(lattice.Step.maxCoeff())
+  explicit BlockFiller(const SealingInput& input)
+    : Input(input)
+    , All(WindowOf(input, Margin))
+    , Column(input.Step.maxCoeff())
   {
   }
 
-  /// Continues known heights over the block, step by step from where they are known: how far it reaches depends on them.
+  const BlockWindow& Everywhere() const { return this->All; }
+
+  /// Continues the picks of a block over it, in a window that grows until it holds the block.
   void Fill(BlockHeights& block, const Monitor& monitor) const
   {
-    const std::vector<double> known = block.Heights;
-    std::vector<std::size_t> sites;
-    constexpr int mostRounds = 6;
-    for (int round = 0; round < mostRounds; ++round)
+    for (std::int32_t around = FirstWidening; !this->FillWindow(block, monitor); around *= 4)
     {
-      std::vector<std::size_t> added;
-      bool isNew = false;
-      this->Spread(block.Heights,
-        [&](std::size_t node, double height)
-        {
-          const bool isInside = this->IsInside(block.Sides, node, height, Beyond);
-          added.insert(added.end(), isInside ? 1 : 0, node);
-          isNew = isNew || (isInside && this->IsInside(block.Sides, node, height, 0.5 * Beyond));
-          return isInside;
-        });
-      if (!isNew)
+      this->Widen(block, around);
+    }
+  }
+
+  /// Keeps horizons of a block at a distance in which their meshes cannot meet, where the lower one gives way. Then finds the
+  /// nodes of the block and some around, whatever their heights are: so a steep horizon leaves its block through a fault,
+  /// and does not end before.
+  void Limit(
+    const std::vector<const BlockHeights*>& above, double apart, BlockHeights& block, PickAccount& account) const
+  {
+    for (std::int32_t around = FirstWidening;; around *= 4)
+    {
+      this->PutBelow(above, apart, block, account);
+      if (this->MarkMeshed(block))
       {
         break;
       }
-      sites.insert(sites.end(), added.begin(), added.end());
-      std::sort(sites.begin(), sites.end());
-      block.Heights = this->Solve(known, sites, monitor);
+      this->Widen(block, around);
     }
-    block.Nearest = block.Heights;
-    this->Spread(block.Nearest, [](std::size_t, double) { return true; });
-  }
-
-  /// Keeps heights of the block, and some columns around whatever their heights are: so a steep horizon leaves its block
-  /// through a fault, and does not end before.
-  void Limit(BlockHeights& block, PickAccount& account) const
-  {
-    const auto width = std::size_t(this->Lattice.Width), height = std::size_t(this->Lattice.Height);
-    std::vector<unsigned char> isKept(block.Nearest.size(), 0), isThere(block.Nearest.size(), 0);
-    ParallelFor(std::int64_t(isKept.size()), Grain, Monitor(),
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (auto node = std::size_t(first); node < std::size_t(last); ++node)
-        {
-          isKept[node] = this->IsInside(block.Sides, node, block.Nearest[node], 1.0) ? 1 : 0;
-          isThere[node] = isKept[node] != 0 && this->Lattice.IsInBox(node) &&
-              this->IsInside(block.Sides, node, block.Nearest[node], 0.0)
-            ? 1
-            : 0;
-        }
-      });
-    for (std::size_t node = 0; node < isThere.size(); ++node)
+    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
     {
-      account.Columns += isThere[node];
-      account.Continued += isThere[node] != 0 && block.IsKnown[node] == 0 ? 1 : 0;
+      const bool isThere = this->IsInBox(block, node);
+      block.IsInBox = block.IsInBox || isThere;
+      account.Columns += isThere ? 1 : 0;
+      account.Continued += isThere && (block.Nodes[node] & HasPick) == 0 ? 1 : 0;
     }
-    for (int step = 0; step < Around; ++step)
-    {
-      const std::vector<unsigned char> last = isKept;
-      for (std::size_t node = 0; node < last.size(); ++node)
-      {
-        const std::size_t x = node % width, y = node / width;
-        isKept[node] = last[node] != 0 || (x > 0 && last[node - 1] != 0) || (x + 1 < width && last[node + 1] != 0) ||
-            (y > 0 && last[node - width] != 0) || (y + 1 < height && last[node + width] != 0)
-          ? 1
-          : 0;
-      }
-    }
-    for (std::size_t node = 0; node < isKept.size(); ++node)
-    {
-      block.Heights[node] = isKept[node] != 0 ? block.Nearest[node] : NotKnown;
-    }
+    this->Crop(block);
   }
 
 private:
-  bool IsInside(const BlockSides& sides, std::size_t node, double height, double margin) const
+  static constexpr std::int32_t Margin = 4; // columns around the box
+
+  Eigen::Vector3d PlaceOf(const PlanePoint& column, double height) const
   {
-    const Eigen::Vector2d place = this->Lattice.At(node);
-    for (std::size_t fault = sides.size(); fault-- > 0;) // The last ones bound the block.
+    return { this->Input.Step.x() * column.X, this->Input.Step.y() * column.Y, height };
+  }
+
+  bool IsInside(const BlockHeights& block, std::size_t node, double height, double margin) const
+  {
+    const Eigen::Vector3d place = this->PlaceOf(block.Window.ColumnOf(node), height);
+    for (std::size_t fault = block.Sides.size(); fault-- > 0;) // The last ones bound the block.
     {
-      const FaultPlate& plate = this->Faults[fault].Plate;
-      if (sides[fault] != 0 &&
-        sides[fault] * plate.Distance(plate.ToPlace({ place.x(), place.y(), height })) < -margin * this->Column)
+      const FaultPlate& plate = this->Input.Faults[fault].Plate;
+      const int side = block.Sides[fault];
+      if (side != 0 && side * plate.Distance(plate.ToPlace(place)) < -margin * this->Column)
       {
         return false;
       }
@@ -132,9 +139,106 @@ private:
     return true;
   }
 
+  bool IsInBox(const BlockHeights& block, std::size_t node) const
+  {
+    return (block.Nodes[node] & IsMeshed) != 0 && WindowOf(this->Input, 0).Contains(block.Window.ColumnOf(node)) &&
+      this->IsInside(block, node, block.Heights[node], 0.0);
+  }
+
+  /// Whether the window ends there, but not the lattice.
+  bool IsEdge(const BlockWindow& window, std::size_t node) const
+  {
+    const PlanePoint column = window.ColumnOf(node);
+    const BlockWindow around = window.Grown(1, this->All);
+    return (column.X == window.Least.X && around.Least.X < column.X) ||
+      (column.Y == window.Least.Y && around.Least.Y < column.Y) ||
+      (column.X == window.Greatest.X && around.Greatest.X > column.X) ||
+      (column.Y == window.Greatest.Y && around.Greatest.Y > column.Y);
+  }
+
+  /// The same block in another window. New nodes have the nearest height.
+  static void Move(BlockHeights& block, const BlockWindow& window)
+  {
+    std::vector<double> heights(window.Size());
+    std::vector<unsigned char> nodes(window.Size(), 0);
+    for (std::size_t node = 0; node < heights.size(); ++node)
+    {
+      const PlanePoint column = window.ColumnOf(node);
+      heights[node] = block.HeightNear(column);
+      nodes[node] = block.Window.Contains(column) ? block.Nodes[block.Window.NodeOf(column)] : 0;
+    }
+    block.Heights = std::move(heights);
+    block.Nodes = std::move(nodes);
+    block.Window = window;
+  }
+
+  void Widen(BlockHeights& block, std::int32_t columns) const { Move(block, block.Window.Grown(columns, this->All)); }
+
+  static void Crop(BlockHeights& block)
+  {
+    BlockWindow meshed;
+    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
+    {
+      if ((block.Nodes[node] & IsMeshed) != 0)
+      {
+        meshed.Add(block.Window.ColumnOf(node));
+      }
+    }
+    if (meshed.IsEmpty())
+    {
+      meshed.Add(block.Window.Least);
+    }
+    Move(block, meshed);
+  }
+
+  /// Step by step from picks, since how far the block reaches depends on the heights. Columns around the box, which are cut
+  /// off, have the nearest height. False if the window is too small.
+  bool FillWindow(BlockHeights& block, const Monitor& monitor) const
+  {
+    std::vector<double> known(block.Heights.size(), NotKnown);
+    for (std::size_t node = 0; node < known.size(); ++node)
+    {
+      known[node] = (block.Nodes[node] & HasPick) != 0 ? block.Heights[node] : NotKnown;
+    }
+    std::vector<double> heights = known;
+    std::vector<std::size_t> sites;
+    const BlockWindow box = WindowOf(this->Input, 1);
+    constexpr int mostRounds = 6;
+    for (int round = 0; round < mostRounds; ++round)
+    {
+      bool isCutOff = false;
+      std::size_t near = 0;
+      const std::size_t before = sites.size();
+      Spread(block.Window, heights,
+        [&](std::size_t node, double height)
+        {
+          const bool isInside =
+            box.Contains(block.Window.ColumnOf(node)) && this->IsInside(block, node, height, Beyond);
+          sites.insert(sites.end(), isInside ? 1 : 0, node);
+          isCutOff = isCutOff || (isInside && this->IsEdge(block.Window, node));
+          near += isInside && this->IsInside(block, node, height, 0.5 * Beyond) ? 1 : 0;
+          return isInside;
+        });
+      if (isCutOff)
+      {
+        return false;
+      }
+      if (double(near) <= LeastNew * double(before))
+      {
+        sites.resize(before);
+        break;
+      }
+      std::sort(sites.begin(), sites.end());
+      heights = this->Solve(block.Window, known, sites, monitor);
+    }
+    Spread(block.Window, heights, [](std::size_t, double) { return true; });
+    block.Heights = std::move(heights);
+    return true;
+  }
+
   /// Gives nodes without a height the one of the nearest node, as far as accepts(node, height).
   template <typename Accepts>
-  void Spread(std::vector<double>& heights, Accepts&& accepts) const
+  static void Spread(const BlockWindow& window, std::vector<double>& heights, Accepts&& accepts)
   {
     std::vector<std::size_t> front;
     for (std::size_t node = 0; node < heights.size(); ++node)
@@ -144,51 +248,37 @@ private:
         front.push_back(node);
       }
     }
-    const auto width = std::size_t(this->Lattice.Width), height = std::size_t(this->Lattice.Height);
     for (std::size_t n = 0; n < front.size(); ++n)
     {
-      const std::size_t x = front[n] % width, y = front[n] / width;
-      const auto visit = [&](std::size_t node)
-      {
-        if (std::isnan(heights[node]) && accepts(node, heights[front[n]]))
+      const double height = heights[front[n]];
+      ForEachBeside(window, front[n],
+        [&](std::size_t node)
         {
-          heights[node] = heights[front[n]];
-          front.push_back(node);
-        }
-      };
-      if (x > 0)
-      {
-        visit(front[n] - 1);
-      }
-      if (x + 1 < width)
-      {
-        visit(front[n] + 1);
-      }
-      if (y > 0)
-      {
-        visit(front[n] - width);
-      }
-      if (y + 1 < height)
-      {
-        visit(front[n] + width);
-      }
+          if (std::isnan(heights[node]) && accepts(node, height))
+          {
+            heights[node] = height;
+            front.push_back(node);
+          }
+        });
     }
   }
 
   /// The sites, and known heights near them, by runs of rows.
-  std::vector<BoxRun> RunsAround(const std::vector<std::size_t>& sites, const std::vector<double>& known) const
+  static std::vector<BoxRun> RunsAround(
+    const BlockWindow& window, const std::vector<std::size_t>& sites, const std::vector<double>& known)
   {
-    const int width = this->Lattice.Width, height = this->Lattice.Height;
     std::vector<unsigned char> isSite(known.size(), 0);
     for (const std::size_t site : sites)
     {
-      const int x = int(site) % width, y = int(site) / width;
+      BlockWindow own;
+      own.Add(window.ColumnOf(site));
+      const BlockWindow rim = own.Grown(Rim, window);
       isSite[site] = 1;
-      for (int row = std::max(0, y - Rim); row <= std::min(height - 1, y + Rim); ++row)
+      for (PlanePoint column = rim.Least; column.Y <= rim.Greatest.Y; ++column.Y)
       {
-        for (int column = std::max(0, x - Rim); column <= std::min(width - 1, x + Rim); ++column)
+        for (column.X = rim.Least.X; column.X <= rim.Greatest.X; ++column.X)
         {
-          const auto node = std::size_t(row) * std::size_t(width) + std::size_t(column);
+          const std::size_t node = window.NodeOf(column);
           isSite[node] = isSite[node] != 0 || std::isfinite(known[node]) ? 1 : 0;
         }
       }
@@ -196,7 +286,7 @@ private:
     std::vector<BoxRun> runs;
     for (std::size_t node = 0; node < isSite.size(); ++node)
     {
-      const int row = int(node) / width, column = int(node) % width;
+      const auto row = std::int32_t(node / window.Width()), column = std::int32_t(node % window.Width());
       if (isSite[node] != 0 && !runs.empty() && runs.back().Row == row && runs.back().Last == column - 1)
       {
         ++runs.back().Last;
@@ -211,10 +301,10 @@ private:
 
   /// A plate through the sites, held by springs at known heights around them. A weak membrane keeps it near them far
   /// away.
-  std::vector<double> Solve(
-    const std::vector<double>& known, const std::vector<std::size_t>& sites, const Monitor& monitor) const
+  static std::vector<double> Solve(const BlockWindow& window, const std::vector<double>& known,
+    const std::vector<std::size_t>& sites, const Monitor& monitor)
   {
-    SiteSystem<2> system(SiteBox::Fill(this->RunsAround(sites, known)));
+    SiteSystem<2> system(SiteBox::Fill(RunsAround(window, sites, known)));
     const BoxPlaces& near = *system.Sites.Near;
     const auto isIn = [&system](std::int64_t place) { return system.Sites.Number[std::size_t(place)] != NoSite; };
     const auto always = [](auto...) { return true; };
@@ -228,7 +318,7 @@ private:
     const auto nodeOf = [&](std::size_t site)
     {
       const PlanePoint column = near.Column(system.Sites.Place[site]);
-      return std::size_t(column.Y) * std::size_t(this->Lattice.Width) + std::size_t(column.X);
+      return std::size_t(column.Y) * window.Width() + std::size_t(column.X);
     };
     std::vector<double> values(system.Sites.Size(), 0.0);
     for (std::size_t site = 0; site < values.size(); ++site)
@@ -256,12 +346,80 @@ private:
     return heights;
   }
 
-  const BlockLattice& Lattice;
-  const std::vector<SealingFault>& Faults;
+  /// The lower horizon gives way.
+  void PutBelow(
+    const std::vector<const BlockHeights*>& above, double apart, BlockHeights& block, PickAccount& account) const
+  {
+    const double highest = this->Input.Top - apart * double(block.Horizon + 1);
+    const double lowest = this->Input.Base + apart * double(this->Input.Horizons.size() - block.Horizon);
+    std::vector<double> heights(block.Heights.size());
+    ParallelFor(std::int64_t(heights.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto node = std::size_t(first); node < std::size_t(last); ++node)
+        {
+          const PlanePoint column = block.Window.ColumnOf(node);
+          double most = highest;
+          for (const BlockHeights* const other : above)
+          {
+            most = other->Has(column, IsMeshed) ? std::min(most, other->HeightNear(column) - apart) : most;
+          }
+          heights[node] = std::max(lowest, std::min(most, block.Heights[node]));
+        }
+      });
+    for (std::size_t node = 0; node < heights.size(); ++node)
+    {
+      const double move = (block.Nodes[node] & HasPick) != 0 ? std::abs(heights[node] - block.Heights[node]) : 0.0;
+      account.Moved += move > 0.0 ? 1 : 0;
+      account.LargestMove = std::max(account.LargestMove, move);
+    }
+    block.Heights = std::move(heights);
+  }
+
+  /// False if the window is too small.
+  bool MarkMeshed(BlockHeights& block) const
+  {
+    ParallelFor(std::int64_t(block.Nodes.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto node = std::size_t(first); node < std::size_t(last); ++node)
+        {
+          const bool isMeshed = this->IsInside(block, node, block.Heights[node], 1.0);
+          block.Nodes[node] = (block.Nodes[node] & HasPick) | (isMeshed ? IsMeshed : 0);
+        }
+      });
+    for (int step = 0; step < Around; ++step)
+    {
+      std::vector<std::size_t> beside;
+      for (std::size_t node = 0; node < block.Nodes.size(); ++node)
+      {
+        if ((block.Nodes[node] & IsMeshed) != 0)
+        {
+          ForEachBeside(block.Window, node,
+            [&](std::size_t other) { beside.insert(beside.end(), block.Nodes[other] & IsMeshed ? 0 : 1, other); });
+        }
+      }
+      for (const std::size_t node : beside)
+      {
+        block.Nodes[node] |= IsMeshed;
+      }
+    }
+    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
+    {
+      if ((block.Nodes[node] & IsMeshed) != 0 && this->IsEdge(block.Window, node))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const SealingInput& Input;
+  BlockWindow All;
   double Column;
 };
 
-/// The block of a place farther than `margin` from its faults, or -1.
+/// The block of a place farther than `margin` from its faults, or NoBlock.
 std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
   const Eigen::Vector3d& place, double margin)
 {
@@ -283,23 +441,42 @@ std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vec
       return std::int32_t(n);
     }
   }
-  return -1;
+  return NoBlock;
+}
+
+/// The block of each pick, or NoBlock if it is not used.
+std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHorizon& horizon, const BlockWindow& all,
+  const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks, double drop,
+  const Monitor& monitor)
+{
+  std::vector<std::int32_t> blockOf(horizon.Columns.size(), NoBlock);
+  ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
+      {
+        const PlanePoint& column = horizon.Columns[pick];
+        if (all.Contains(column) && isDropped[pick] == 0)
+        {
+          const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
+          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop);
+        }
+      }
+    });
+  return blockOf;
 }
 
 /// The picks of a horizon by block.
-std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockLattice& lattice,
+std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockWindow& all,
   const BlockTree& tree, double drop, PickAccount& account, const Monitor& monitor)
 {
   const SealingHorizon& horizon = input.Horizons[number];
   std::vector<BlockHeights> blocks;
   for (const BlockSides& sides : tree.BlocksOf(number))
   {
-    BlockHeights block;
-    block.Horizon = number;
-    block.Sides = sides;
-    block.Heights.assign(lattice.Size(), NotKnown);
-    block.IsKnown.assign(lattice.Size(), 0);
-    blocks.push_back(block);
+    blocks.emplace_back();
+    blocks.back().Horizon = number;
+    blocks.back().Sides = sides;
   }
   std::vector<unsigned char> isDropped(horizon.Columns.size(), 0);
   for (const HorizonCutoffs& cutoffs : horizon.AtFault)
@@ -309,38 +486,39 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  constexpr std::int32_t none = -1;
-  std::vector<std::int32_t> blockOf(horizon.Columns.size(), none);
-  ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
-    [&](std::int64_t first, std::int64_t last)
-    {
-      for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
-      {
-        if (lattice.Contains(horizon.Columns[pick]))
-        {
-          const Eigen::Vector2d onMap = lattice.At(lattice.NodeOf(horizon.Columns[pick]));
-          blockOf[pick] = FindBlockOf(input.Faults, blocks, { onMap.x(), onMap.y(), horizon.Heights[pick] }, drop);
-        }
-      }
-    });
+  const std::vector<std::int32_t> blockOf = FindBlocks(input, horizon, all, isDropped, blocks, drop, monitor);
   for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
-    if (!lattice.Contains(horizon.Columns[pick]) || isDropped[pick] != 0)
+    if (blockOf[pick] != NoBlock)
     {
-      ++(isDropped[pick] != 0 ? account.NotAgreeing : account.Outside);
+      blocks[std::size_t(blockOf[pick])].Window.Add(horizon.Columns[pick]);
+    }
+  }
+  for (BlockHeights& block : blocks)
+  {
+    block.Window = block.Window.IsEmpty() ? all : block.Window.Grown(FirstWidening, all);
+    block.Heights.assign(block.Window.Size(), NotKnown);
+    block.Nodes.assign(block.Window.Size(), 0);
+  }
+  for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
+  {
+    const PlanePoint& column = horizon.Columns[pick];
+    if (blockOf[pick] == NoBlock)
+    {
+      ++(isDropped[pick] != 0 ? account.NotAgreeing : all.Contains(column) ? account.BesideFaults : account.Outside);
       continue;
     }
-    const std::size_t node = lattice.NodeOf(horizon.Columns[pick]);
-    BlockHeights* const block = blockOf[pick] != none ? &blocks[std::size_t(blockOf[pick])] : nullptr;
-    if (!block || block->IsKnown[node] != 0)
+    BlockHeights& block = blocks[std::size_t(blockOf[pick])];
+    const std::size_t node = block.Window.NodeOf(column);
+    if (block.Nodes[node] != 0)
     {
-      ++(!block ? account.BesideFaults : account.Doubled);
+      ++account.Doubled;
       continue;
     }
     ++account.Used;
-    ++block->Known;
-    block->IsKnown[node] = 1;
-    block->Heights[node] = horizon.Heights[pick];
+    ++block.Known;
+    block.Nodes[node] = HasPick;
+    block.Heights[node] = horizon.Heights[pick];
   }
   return blocks;
 }
@@ -380,7 +558,11 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
   {
     return;
   }
-  block.Nearest = sibling->Nearest;
+  block.Heights.resize(block.Window.Size());
+  for (std::size_t node = 0; node < block.Heights.size(); ++node)
+  {
+    block.Heights[node] = sibling->HeightNear(block.Window.ColumnOf(node));
+  }
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const BlockHeights& own : blocks)
   {
@@ -396,40 +578,11 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
         least = apart;
         for (std::size_t node = 0; node < block.Heights.size(); ++node)
         {
-          block.Nearest[node] = own.Nearest[node] + sibling->Nearest[node] - beside.Nearest[node];
+          const PlanePoint column = block.Window.ColumnOf(node);
+          block.Heights[node] = own.HeightNear(column) + sibling->HeightNear(column) - beside.HeightNear(column);
         }
       }
     }
-  }
-}
-
-/// Horizons of a block keep a distance in which their meshes cannot meet: the lower one gives way.
-void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeights>& blocks, std::size_t number,
-  std::vector<PickAccount>& accounts)
-{
-  BlockHeights& block = blocks[number];
-  PickAccount& account = accounts[block.Horizon];
-  const double highest = input.Top - least * double(block.Horizon + 1);
-  const double lowest = input.Base + least * double(input.Horizons.size() - block.Horizon);
-  std::vector<const BlockHeights*> above;
-  for (std::size_t upper = 0; upper < number; ++upper)
-  {
-    const bool isAbove =
-      blocks[upper].Horizon < block.Horizon && BlockTree::AreTogether(blocks[upper].Sides, block.Sides);
-    above.insert(above.end(), isAbove ? 1 : 0, &blocks[upper]);
-  }
-  for (std::size_t node = 0; node < block.Nearest.size(); ++node)
-  {
-    double most = highest;
-    for (const BlockHeights* const other : above)
-    {
-      most = std::isfinite(other->Heights[node]) ? std::min(most, other->Heights[node] - least) : most;
-    }
-    const double height = std::max(lowest, std::min(most, block.Nearest[node]));
-    const double move = block.IsKnown[node] != 0 ? std::abs(height - block.Nearest[node]) : 0.0;
-    account.Moved += move > 0.0 ? 1 : 0;
-    account.LargestMove = std::max(account.LargestMove, move);
-    block.Nearest[node] = height;
   }
 }
 }
@@ -437,16 +590,16 @@ void PutInOrder(const SealingInput& input, double least, std::vector<BlockHeight
 //----------------------------------------------------------------------------------------------------------------------
 HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
 {
-  const BlockLattice lattice(input);
   const BlockTree tree(input.Faults);
-  const BlockFiller filler(lattice, input.Faults);
+  const BlockFiller filler(input);
   const double drop = options.DropDistance * input.Step.maxCoeff();
   HorizonBlocks result;
   std::vector<BlockHeights>& blocks = result.Blocks;
   result.Accounts.resize(input.Horizons.size());
   for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
   {
-    std::vector<BlockHeights> own = ListPicks(input, horizon, lattice, tree, drop, result.Accounts[horizon], monitor);
+    std::vector<BlockHeights> own =
+      ListPicks(input, horizon, filler.Everywhere(), tree, drop, result.Accounts[horizon], monitor);
     if (std::none_of(own.begin(), own.end(), [](const BlockHeights& block) { return block.Known >= FewestOfBlock; }))
     {
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +
@@ -475,8 +628,14 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
   }
   for (std::size_t n = 0; n < blocks.size(); ++n)
   {
-    PutInOrder(input, LeastApart * options.MaximumError, blocks, n, result.Accounts);
-    filler.Limit(blocks[n], result.Accounts[blocks[n].Horizon]);
+    std::vector<const BlockHeights*> above;
+    for (std::size_t upper = 0; upper < n; ++upper)
+    {
+      const bool isAbove =
+        blocks[upper].Horizon < blocks[n].Horizon && BlockTree::AreTogether(blocks[upper].Sides, blocks[n].Sides);
+      above.insert(above.end(), isAbove ? 1 : 0, &blocks[upper]);
+    }
+    filler.Limit(above, LeastApart * options.MaximumError, blocks[n], result.Accounts[blocks[n].Horizon]);
   }
   return result;
 }

@@ -8,65 +8,70 @@
 
 #include "BlockTree.h"
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "SealedModel.h"
-#include "Sheets.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// The lattice of the box and some columns around it.
-struct BlockLattice
+/// Columns by row.
+struct BlockWindow : PlaneBox
 {
-  static constexpr int Margin = 4;
-
-  explicit BlockLattice(const SealingInput& input)
-    : Step(input.Step)
-    , Least({ input.Least.X - Margin, input.Least.Y - Margin })
-    , Width(input.Greatest.X - input.Least.X + 1 + 2 * Margin)
-    , Height(input.Greatest.Y - input.Least.Y + 1 + 2 * Margin)
-  {
-  }
-
-  std::size_t Size() const { return std::size_t(this->Width) * std::size_t(this->Height); }
-  bool Contains(const PlanePoint& column) const
-  {
-    return column.X >= this->Least.X && column.Y >= this->Least.Y && column.X < this->Least.X + this->Width &&
-      column.Y < this->Least.Y + this->Height;
-  }
+  std::size_t Width() const { return std::size_t(this->Greatest.X - this->Least.X + 1); }
+  std::size_t Size() const { return this->Width() * std::size_t(this->Greatest.Y - this->Least.Y + 1); }
   std::size_t NodeOf(const PlanePoint& column) const
   {
-    return std::size_t(column.Y - this->Least.Y) * std::size_t(this->Width) + std::size_t(column.X - this->Least.X);
+    return std::size_t(column.Y - this->Least.Y) * this->Width() + std::size_t(column.X - this->Least.X);
   }
-  Eigen::Vector2d At(std::size_t node) const
+  PlanePoint ColumnOf(std::size_t node) const
   {
-    const auto width = std::size_t(this->Width);
-    return { this->Step.x() * (double(node % width) + this->Least.X),
-      this->Step.y() * (double(node / width) + this->Least.Y) };
+    return { this->Least.X + std::int32_t(node % this->Width()), this->Least.Y + std::int32_t(node / this->Width()) };
   }
-
-  bool IsInBox(std::size_t node) const
+  /// The nearest column of the window.
+  PlanePoint Clamp(const PlanePoint& column) const
   {
-    const int x = int(node) % this->Width, y = int(node) / this->Width;
-    return x >= Margin && y >= Margin && x < this->Width - Margin && y < this->Height - Margin;
+    return { std::clamp(column.X, this->Least.X, this->Greatest.X),
+      std::clamp(column.Y, this->Least.Y, this->Greatest.Y) };
   }
+  /// Wider by some columns, within limits.
+  BlockWindow Grown(std::int32_t columns, const BlockWindow& limits) const
+  {
+    BlockWindow grown;
+    grown.Least = limits.Clamp({ this->Least.X - columns, this->Least.Y - columns });
+    grown.Greatest = limits.Clamp({ this->Greatest.X + columns, this->Greatest.Y + columns });
+    return grown;
+  }
+};
 
-  Eigen::Vector2d Step;
-  PlanePoint Least;
-  int Width;
-  int Height;
+enum BlockNode : unsigned char // flags
+{
+  HasPick = 1, // that is used
+  IsMeshed = 2 // in the block, or a few columns around
 };
 
 struct BlockHeights
 {
   std::size_t Horizon = 0;
   BlockSides Sides;
-  std::vector<double> Heights; // by node; NaN beyond the block and its margin
-  std::vector<double> Nearest; // the nearest of these
-  std::vector<unsigned char> IsKnown; // by node
-  std::size_t Known = 0; // nodes
+  BlockWindow Window; // of all nodes that are meshed
+  std::vector<double> Heights; // by node, beyond the block, too
+  std::vector<unsigned char> Nodes; // flags
+  std::size_t Known = 0; // picks
   bool IsGuessed = false; // without enough picks
+  bool IsInBox = false; // somewhere
+
+  double HeightNear(const PlanePoint& column) const
+  {
+    return this->Heights[this->Window.NodeOf(this->Window.Clamp(column))];
+  }
+  bool Has(const PlanePoint& column, BlockNode flag) const
+  {
+    return this->Window.Contains(column) && (this->Nodes[this->Window.NodeOf(column)] & flag) != 0;
+  }
 };
 
 struct HorizonBlocks

@@ -15,6 +15,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -33,7 +34,6 @@ public:
     : Input(input)
     , Options(options)
     , Tree(input.Faults)
-    , Lattice(input)
     , Column(input.Step.maxCoeff())
   {
     this->Box.min() << input.Step.x() * input.Least.X, input.Step.y() * input.Least.Y, input.Base;
@@ -41,13 +41,17 @@ public:
     HorizonBlocks found = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
     this->Blocks = std::move(found.Blocks);
     this->Accounts = std::move(found.Accounts);
+    constexpr double notThere = std::numeric_limits<double>::quiet_NaN();
     for (const BlockHeights& block : this->Blocks)
     {
       SheetHeights heights;
-      heights.Origin = this->Lattice.At(0);
+      heights.Origin = input.Step.array() * Eigen::Array2d(block.Window.Least.X, block.Window.Least.Y);
       heights.Step = input.Step;
-      heights.Width = this->Lattice.Width;
-      heights.Heights = block.Heights;
+      heights.Width = int(block.Window.Width());
+      for (std::size_t node = 0; node < block.Heights.size(); ++node)
+      {
+        heights.Heights.push_back((block.Nodes[node] & IsMeshed) != 0 ? block.Heights[node] : notThere);
+      }
       this->AddSheet(std::move(heights), options.MaximumError);
     }
     this->FirstFault = this->Sheets.size();
@@ -102,19 +106,7 @@ public:
     std::vector<SealedGuess> guessed;
     for (const BlockHeights& block : this->Blocks)
     {
-      const auto isThere = [&](std::size_t node)
-      {
-        const Eigen::Vector2d place = this->Lattice.At(node);
-        return std::isfinite(block.Heights[node]) &&
-          this->Box.contains(Eigen::Vector3d(place.x(), place.y(), block.Heights[node])) &&
-          this->IsIn(block, { place.x(), place.y(), block.Heights[node] });
-      };
-      bool isGuess = false;
-      for (std::size_t node = 0; node < block.Heights.size() && block.IsGuessed && !isGuess; ++node)
-      {
-        isGuess = isThere(node);
-      }
-      if (isGuess)
+      if (block.IsGuessed && block.IsInBox)
       {
         guessed.push_back({ block.Horizon, block.Sides });
       }
@@ -152,7 +144,7 @@ public:
       for (int dx = -near; dx <= near; ++dx)
       {
         const PlanePoint at = { std::int32_t(column.x()) + dx, std::int32_t(column.y()) + dy };
-        if (this->Lattice.Contains(at) && block.IsKnown[this->Lattice.NodeOf(at)] != 0)
+        if (block.Has(at, HasPick))
         {
           return VertexSource::Picks;
         }
@@ -220,19 +212,6 @@ public:
 
 private:
   static constexpr double partOfError = 0.5;
-
-  bool IsIn(const BlockHeights& block, const Eigen::Vector3d& place) const
-  {
-    for (std::size_t fault = 0; fault < block.Sides.size(); ++fault)
-    {
-      const FaultPlate& plate = this->Input.Faults[fault].Plate;
-      if (block.Sides[fault] * plate.Distance(plate.ToPlace(place)) < 0.0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
 
   void AddSheet(SheetHeights heights, double error)
   {
@@ -307,8 +286,7 @@ private:
     }
     // Far from its block, a horizon only has to be above or below.
     const Eigen::Vector2d column = (place.head<2>().array() / this->Input.Step.array()).round();
-    PlanePoint nearest = { std::int32_t(column.x()), std::int32_t(column.y()) };
-    return place.z() - this->Blocks[sheet].Nearest[this->Lattice.NodeOf(nearest)];
+    return place.z() - this->Blocks[sheet].HeightNear({ std::int32_t(column.x()), std::int32_t(column.y()) });
   }
 
   SheetHeights HeightsOf(const FaultPlate& plate) const
@@ -341,7 +319,6 @@ private:
   const SealingInput& Input;
   const SealingOptions& Options;
   BlockTree Tree;
-  BlockLattice Lattice;
   double Column;
   Eigen::AlignedBox3d Box;
   std::vector<BlockHeights> Blocks;

@@ -32,7 +32,7 @@ Sheet MeshSheet(const SheetHeights& heights, double error, const Monitor& monito
   options.MaximumError = error;
   options.Radius = 1;
   options.KeepHoles = false;
-  options.OutlineTolerance = 1.5; // They are cut off.
+  options.OutlineTolerance = 0.75; // They are cut off.
   options.FitHeights = false;
   const Surface surface = MakeSurface(points, options, monitor);
   for (std::size_t vertex = 0; vertex < surface.Mesh.Points.Plane.size(); ++vertex)
