@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace SeismicHorizons
@@ -95,14 +96,19 @@ GivenFaultPicks ReadFaultPicks(std::vector<NamedHorizon> blocks)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ArrayTable JoinFields(const std::vector<CutInput>& horizons, GivenFaultPicks& given)
+CutInputs JoinCutInputs(std::vector<CutInput> horizons, std::optional<std::vector<NamedHorizon>> faults)
 {
-  ArrayTable fields;
   if (horizons.empty())
   {
     throw InputError("no horizon with points, expected at least one");
   }
-  const CutInput& first = horizons.front();
+  CutInputs inputs;
+  inputs.Horizons = std::move(horizons);
+  if (faults)
+  {
+    inputs.Faults = ReadFaultPicks(std::move(*faults));
+  }
+  const CutInput& first = inputs.Horizons.front();
   SurveyDescription survey = ReadSurveyFields(first.Points.Horizon.FieldData);
   const auto join = [&](const Horizon& other, const std::string& name)
   {
@@ -111,22 +117,33 @@ ArrayTable JoinFields(const std::vector<CutInput>& horizons, GivenFaultPicks& gi
     const std::string doubt = WarnOfDirections(first.Points.Horizon, other, names);
     if (!doubt.empty())
     {
-      given.Warnings.push_back(doubt);
+      inputs.Faults.Warnings.push_back(doubt);
     }
   };
-  for (const CutInput& horizon : horizons)
+  for (const CutInput& horizon : inputs.Horizons)
   {
     join(horizon.Points.Horizon, horizon.Name);
   }
-  for (const NamedHorizon& block : given.Data)
+  for (const NamedHorizon& block : inputs.Faults.Data)
   {
     join(block.Data, "the faults");
   }
   if (const DataArray* const direction = FindNumbers(first.Points.Horizon.FieldData, FieldArray::VerticalDirection))
   {
-    fields.Add(*direction);
+    inputs.Fields.Add(*direction);
   }
-  AddSurveyFields(survey, fields);
-  return fields;
+  AddSurveyFields(survey, inputs.Fields);
+  return inputs;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+CutInputs ReadCutInputs(const std::vector<NamedHorizon>& horizons, std::optional<std::vector<NamedHorizon>> faults)
+{
+  std::vector<CutInput> inputs;
+  for (const NamedHorizon& horizon : horizons)
+  {
+    PrefixErrors(horizon.Name, [&]() { inputs.push_back({ horizon.Name, ReadCutPoints(horizon.Data) }); });
+  }
+  return JoinCutInputs(std::move(inputs), std::move(faults));
 }
 }

@@ -24,9 +24,16 @@ struct GivenFaultPicks
 /// Triangles are surfaces, lines sticks. Faults without a name have that of their block.
 GivenFaultPicks ReadFaultPicks(std::vector<NamedHorizon> blocks);
 
-/// The field data of outputs: units and the direction of z. Throws InputError if those of the horizons differ, or of the
-/// faults.
-ArrayTable JoinFields(const std::vector<CutInput>& horizons, GivenFaultPicks& given);
+struct CutInputs
+{
+  std::vector<CutInput> Horizons;
+  GivenFaultPicks Faults;
+  ArrayTable Fields; // of outputs: units and the direction of z
+};
+
+/// Without `faults`, those that the horizons are cut by. Throws InputError without a horizon, and if units differ.
+CutInputs JoinCutInputs(std::vector<CutInput> horizons, std::optional<std::vector<NamedHorizon>> faults);
+CutInputs ReadCutInputs(const std::vector<NamedHorizon>& horizons, std::optional<std::vector<NamedHorizon>> faults);
 }
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "vtkHorizonCutoffs.h"
 
-#include "Common/Horizon/HeightNoise.h"
 #include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/HorizonTree.h"
@@ -13,7 +12,6 @@
 #include "CutoffOutput.h"
 #include "CutoffStage.h"
 #include "FaultInput.h"
-#include "Filters/Faults/GivenLines.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,15 +21,13 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <string>
 #include <vector>
 
 using namespace SeismicHorizons;
 
 namespace
 {
-constexpr int FaultsPort = 1; // of inputs
-
 enum OutputPort : std::size_t
 {
   CutoffsOutput,
@@ -67,7 +63,6 @@ vtkStandardNewMacro(vtkHorizonCutoffs);
 //------------------------------------------------------------------------------
 vtkHorizonCutoffs::vtkHorizonCutoffs()
 {
-  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(7);
 }
 
@@ -75,33 +70,11 @@ vtkHorizonCutoffs::vtkHorizonCutoffs()
 vtkHorizonCutoffs::~vtkHorizonCutoffs() = default;
 
 //------------------------------------------------------------------------------
-int vtkHorizonCutoffs::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(port == FaultsPort ? vtkAlgorithm::INPUT_IS_OPTIONAL() : vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonCutoffs::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char *const blocks = "vtkPartitionedDataSetCollection", *const surface = "vtkPolyData";
   const std::array<const char*, 7> types = { blocks, blocks, surface, surface, surface, "vtkTable", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[std::size_t(port)]);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonCutoffs::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
-{
-  return 1; // The executive makes the outputs.
-}
-
-//------------------------------------------------------------------------------
-// Each process reads all horizons, so that all have the same blocks; the first does the work.
-int vtkHorizonCutoffs::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  AskForWhole(inputVector[0]);
-  AskForWhole(inputVector[FaultsPort]);
   return 1;
 }
 
@@ -116,21 +89,9 @@ int vtkHorizonCutoffs::RequestData(
   {
     const auto find = [&]()
     {
-      std::vector<CutInput> horizons;
+      const CutInputs inputs = this->ReadInputs(inputVector, subject);
       std::vector<std::string> names;
-      for (const HorizonLeaf& leaf : ListNamedHorizons(inputVector[0]))
-      {
-        subject = leaf.Name;
-        RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, {},
-          [&]() {
-            horizons.push_back({ leaf.Name, ReadCutPoints(FromVTK(leaf.Input)) });
-          });
-      }
-      subject.clear();
-      vtkDataObject* const faultData = this->GetInputDataObject(FaultsPort, 0);
-      GivenFaultPicks given = faultData ? ReadFaultPicks(ListGivenLines(faultData)) : GivenFaultPicks();
-      const ArrayTable fields = JoinFields(horizons, given);
-      for (const CutInput& horizon : horizons)
+      for (const CutInput& horizon : inputs.Horizons)
       {
         names.push_back(horizon.Name);
       }
@@ -140,12 +101,15 @@ int vtkHorizonCutoffs::RequestData(
       {
         return;
       }
-      const CutoffModelData model = RunCutoffs(horizons, given.Picks, this->MakeOptions(), monitor.Step(0.0, 0.9));
+      CutoffStageOptions options = this->MakeCutOptions();
+      options.LargestGap = this->LargestGap;
+      options.SmallestLength = this->SmallestLength;
+      const CutoffModelData model = RunCutoffs(inputs.Horizons, inputs.Faults.Picks, options, monitor.Step(0.0, 0.9));
       monitor.Progress(0.9);
-      const CutoffStageResult result = WriteCutoffs(model, fields);
+      const CutoffStageResult result = WriteCutoffs(model, inputs.Fields);
       WriteOutputs(result, outputs);
       this->Results = result.Report;
-      for (const std::vector<std::string>& warnings : { given.Warnings, model.Warnings })
+      for (const std::vector<std::string>& warnings : { inputs.Faults.Warnings, model.Warnings })
       {
         for (const std::string& warning : warnings)
         {
@@ -158,19 +122,4 @@ int vtkHorizonCutoffs::RequestData(
   const int done = RunRequest(this, outputs, NotEnoughMemory, work, ranks);
   this->Results = done && !IsAborted(this) ? this->Results : std::string();
   return done;
-}
-
-//------------------------------------------------------------------------------
-CutoffStageOptions vtkHorizonCutoffs::MakeOptions() const
-{
-  CutoffStageOptions options;
-  options.Dip = this->Dip;
-  options.DropDistance = this->DropDistance;
-  options.DropNoise = this->DropNoise;
-  options.LargestGap = this->LargestGap;
-  options.SmallestLength = this->SmallestLength;
-  options.MaximumError =
-    this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);
-  options.ErrorUnit = static_cast<SeismicHorizons::HeightUnit>(this->HeightUnit);
-  return options;
 }

@@ -16,6 +16,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace SeismicHorizons
@@ -253,30 +254,29 @@ ArrayTable WriteFaultAreas(const SealedModel& model, const std::vector<std::stri
 /// What became of picks.
 ArrayTable WritePickTable(const SealedModel& model)
 {
+  ArrayTable table;
   std::vector<std::string> names;
-  std::array<std::vector<double>, 9> columns;
   for (std::size_t n = 0; n < model.Accounts.size(); ++n)
   {
-    const PickAccount& own = model.Accounts[n];
-    const std::array<double, 9> row = { double(own.Used), double(own.BesideFaults), double(own.NotAgreeing),
-      double(own.Doubled), double(own.Outside), double(own.Moved), own.LargestMove, double(own.Columns),
-      double(own.Continued) };
     names.push_back(model.Surfaces[n].Name);
-    for (std::size_t column = 0; column < row.size(); ++column)
-    {
-      columns[column].push_back(row[column]);
-    }
   }
-  ArrayTable table;
   table.Add({ "Horizon", std::move(names) });
-  const std::array<const char*, 9> titles = { "Used", "BesideFaults", "NotAgreeing", "Doubled", "Outside", "Moved",
-    "LargestMove", "Columns", "Continued" };
-  for (std::size_t column = 0; column < titles.size(); ++column)
+  const auto add = [&](const char* title, auto member)
   {
-    const bool isLength = std::string(titles[column]) == "LargestMove";
-    isLength ? AddArray<double>(table, titles[column], columns[column])
-             : AddArray<std::int64_t>(table, titles[column], columns[column]);
-  }
+    using Value = std::decay_t<decltype(PickAccount().*member)>;
+    using Stored = std::conditional_t<std::is_floating_point_v<Value>, double, std::int64_t>;
+    AddArray<Stored>(
+      table, title, model.Accounts, [member](const PickAccount& own) { return static_cast<Stored>(own.*member); });
+  };
+  add("Used", &PickAccount::Used);
+  add("BesideFaults", &PickAccount::BesideFaults);
+  add("NotAgreeing", &PickAccount::NotAgreeing);
+  add("Doubled", &PickAccount::Doubled);
+  add("Outside", &PickAccount::Outside);
+  add("Moved", &PickAccount::Moved);
+  add("LargestMove", &PickAccount::LargestMove);
+  add("Columns", &PickAccount::Columns);
+  add("Continued", &PickAccount::Continued);
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include "Common/Base/Parameters.h"
 #include "Common/Survey/DerivedArrays.h"
 #include "Filters/Algorithms/Sealing/FaultNetwork.h"
+#include "Filters/Algorithms/Sealing/SealedComplex.h"
 #include "Filters/Algorithms/Sealing/SealedModel.h"
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/PlacedPoints.h"
@@ -58,8 +59,7 @@ ModelFrame FindFrame(const std::vector<CutInput>& horizons)
   const double cosine = x.dot(y) / (x.norm() * y.norm());
   if (std::abs(cosine) > mostSkew)
   {
-    constexpr double degrees = 57.29577951308232;
-    throw InputError("lattice whose axes meet at " + std::to_string(std::acos(cosine) * degrees) +
+    throw InputError("lattice whose axes meet at " + std::to_string(std::acos(cosine) * DegreesPerRadian) +
       " degrees, expected 90 for a sealed model");
   }
   frame.Step = { x.norm(), y.norm() };
@@ -191,18 +191,16 @@ SealingInput MakeInput(
   return input;
 }
 
-/// Replaces plates by the faults of the network, in its order, with the cutoffs of each.
-void AddFaults(const std::vector<FaultPlate>& plates, const FaultNetwork& network, SealingInput& input)
+/// Adds the faults of the network, in its order, with the cutoffs of each.
+void AddFaults(const FaultNetwork& network, SealingInput& input)
 {
   input.Faults = network.Faults;
   for (SealingHorizon& horizon : input.Horizons)
   {
     std::vector<HorizonCutoffs> cutoffs;
-    for (const SealingFault& fault : input.Faults)
+    for (const std::size_t plate : network.Plates)
     {
-      const auto plate = std::find_if(
-        plates.begin(), plates.end(), [&fault](const FaultPlate& other) { return other.Name() == fault.Plate.Name(); });
-      cutoffs.push_back(horizon.AtFault[std::size_t(plate - plates.begin())]);
+      cutoffs.push_back(horizon.AtFault[plate]);
     }
     horizon.AtFault = std::move(cutoffs);
   }
@@ -231,15 +229,15 @@ void RequireCommonFaults(const CutoffModelData& model)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::optional<PickedSticks>& given,
-  const ArrayTable& fields, const SealedStageOptions& options, const Monitor& monitor)
+SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& options, const Monitor& monitor)
 {
+  const std::vector<CutInput>& horizons = inputs.Horizons;
   if (ReadVerticalAxis(horizons.front().Points.Horizon.FieldData).IsTime)
   {
     throw InputError("horizons in time, expected depth for a sealed model");
   }
   CheckAtLeast("end distance", options.EndDistance, 0.0, " columns");
-  const CutoffModelData cutoffs = RunCutoffs(horizons, given, options.Cutoffs, monitor.Step(0.0, 0.4));
+  const CutoffModelData cutoffs = RunCutoffs(horizons, inputs.Faults.Picks, options.Cutoffs, monitor.Step(0.0, 0.4));
   RequireCommonFaults(cutoffs);
   const ModelFrame frame = FindFrame(horizons);
   SealingOptions sealing;
@@ -260,10 +258,7 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
     const FaultPlate& plate = cutoffs.Faults[fault];
     plates.push_back((cutoffs.AreTurned[fault] != 0 ? plate.Reversed() : plate).Moved(frame.ToModel));
   }
-  const Eigen::Vector2d least = frame.Step.array() * Eigen::Array2d(input.Least.X, input.Least.Y);
-  const Eigen::Vector2d greatest = frame.Step.array() * Eigen::Array2d(input.Greatest.X, input.Greatest.Y);
-  const Eigen::AlignedBox3d box(
-    Eigen::Vector3d(least.x(), least.y(), input.Base), Eigen::Vector3d(greatest.x(), greatest.y(), input.Top));
+  const Eigen::AlignedBox3d box = input.Box();
   FaultNetwork network =
     MakeNetwork(plates, box, frame.Step.minCoeff(), options.EndDistance, ReadEndings(options.Endings));
   const std::vector<std::size_t> unconformities = ReadUnconformities(options.Unconformities, input);
@@ -271,7 +266,7 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
   {
     throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
   }
-  AddFaults(plates, network, input);
+  AddFaults(network, input);
   constexpr double partOfColumn = 0.25;
   sealing.FaultError = std::max(sealing.MaximumError, partOfColumn * frame.Step.minCoeff());
   SealedModel model = SealModel(input, sealing, monitor.Step(0.4, 0.95));
@@ -281,10 +276,12 @@ SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::op
     vertex.head<2>() = toWorld * Eigen::Vector2d(vertex.head<2>());
   }
   SealedStageResult result;
-  WriteSealed(model, fields, result);
-  result.Warnings = cutoffs.Warnings;
-  const std::vector<std::string> warnings = WarnOfSealed(model, network, input, cutoffs, sealing.MaximumError);
-  result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
+  WriteSealed(model, inputs.Fields, result);
+  for (const std::vector<std::string>& warnings :
+    { inputs.Faults.Warnings, cutoffs.Warnings, WarnOfSealed(model, network, input, cutoffs, sealing.MaximumError) })
+  {
+    result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
+  }
   monitor.Progress(1.0);
   return result;
 }

@@ -6,9 +6,8 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
-#include "Filters/Cutoffs/CutoffStage.h"
+#include "Filters/Cutoffs/FaultInput.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,10 +34,9 @@ struct SealedStageResult
   std::vector<std::string> Warnings;
 };
 
-/// `fields` is the field data of all outputs. Throws InputError as RunCutoffs, for horizons in time, lattices without
+/// Throws InputError as RunCutoffs, for horizons in time, lattices without
 /// right angles, and models that cannot be sealed.
-SealedStageResult RunSealed(const std::vector<CutInput>& horizons, const std::optional<PickedSticks>& given,
-  const ArrayTable& fields, const SealedStageOptions& options, const Monitor& monitor);
+SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& options, const Monitor& monitor);
 }
 
 #endif

@@ -3,16 +3,13 @@
 
 #include "vtkHorizonSealedModel.h"
 
-#include "Common/Horizon/HeightNoise.h"
 #include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonName.h"
 #include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"
 #include "Common/VTK/Ranks.h"
 #include "Common/VTK/VersionDifferences.h"
-#include "Filters/Cutoffs/CutoffStage.h"
 #include "Filters/Cutoffs/FaultInput.h"
-#include "Filters/Faults/GivenLines.h"
 #include "SealedStage.h"
 
 #include "vtkInformation.h"
@@ -25,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -34,8 +30,6 @@ using namespace SeismicHorizons;
 
 namespace
 {
-constexpr int SealedFaultsPort = 1; // of inputs
-
 enum SealedPort : std::size_t
 {
   SurfacesOutput,
@@ -52,7 +46,6 @@ vtkStandardNewMacro(vtkHorizonSealedModel);
 //------------------------------------------------------------------------------
 vtkHorizonSealedModel::vtkHorizonSealedModel()
 {
-  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(6);
 }
 
@@ -64,33 +57,11 @@ vtkHorizonSealedModel::~vtkHorizonSealedModel()
 }
 
 //------------------------------------------------------------------------------
-int vtkHorizonSealedModel::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(port == SealedFaultsPort ? vtkAlgorithm::INPUT_IS_OPTIONAL() : vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
 int vtkHorizonSealedModel::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char *const surface = "vtkPolyData", *const table = "vtkTable";
   const std::array<const char*, 6> types = { surface, surface, "vtkPartitionedDataSetCollection", table, table, table };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[std::size_t(port)]);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonSealedModel::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*)
-{
-  return 1; // The executive makes the outputs.
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonSealedModel::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  AskForWhole(inputVector[0]);
-  AskForWhole(inputVector[SealedFaultsPort]);
   return 1;
 }
 
@@ -107,25 +78,12 @@ int vtkHorizonSealedModel::RequestData(
     SealedStageResult result;
     const auto seal = [&]()
     {
-      std::vector<CutInput> horizons;
       if (ranks.Own() > 0)
       {
         return;
       }
-      for (const HorizonLeaf& leaf : ListNamedHorizons(inputVector[0]))
-      {
-        subject = leaf.Name;
-        RunPart(this, this->GetInvalidHorizons() == LeaveOut, subject, {},
-          [&]() {
-            horizons.push_back({ leaf.Name, ReadCutPoints(FromVTK(leaf.Input)) });
-          });
-      }
-      subject.clear();
-      vtkDataObject* const faultData = this->GetInputDataObject(SealedFaultsPort, 0);
-      GivenFaultPicks given = faultData ? ReadFaultPicks(ListGivenLines(faultData)) : GivenFaultPicks();
-      const ArrayTable fields = JoinFields(horizons, given);
-      result = RunSealed(horizons, given.Picks, fields, this->MakeOptions(), monitor);
-      result.Warnings.insert(result.Warnings.begin(), given.Warnings.begin(), given.Warnings.end());
+      const CutInputs inputs = this->ReadInputs(inputVector, subject);
+      result = RunSealed(inputs, this->MakeOptions(), monitor);
     };
     ranks.Together(seal);
     std::ostringstream lines;
@@ -165,14 +123,9 @@ int vtkHorizonSealedModel::RequestData(
 SealedStageOptions vtkHorizonSealedModel::MakeOptions() const
 {
   SealedStageOptions options;
+  options.Cutoffs = this->MakeCutOptions();
   options.Endings = this->Endings ? this->Endings : "";
   options.EndDistance = this->EndDistance;
   options.Unconformities = this->Unconformities ? this->Unconformities : "";
-  options.Cutoffs.Dip = this->Dip;
-  options.Cutoffs.DropDistance = this->DropDistance;
-  options.Cutoffs.DropNoise = this->DropNoise;
-  options.Cutoffs.MaximumError =
-    this->MaximumError == AutomaticError ? std::nullopt : std::optional<double>(this->MaximumError);
-  options.Cutoffs.ErrorUnit = static_cast<SeismicHorizons::HeightUnit>(this->HeightUnit);
   return options;
 }

@@ -4,6 +4,7 @@
 #include "vtkHorizonSurfaceDistance.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/DataModel.h"
 #include "Common/VTK/HorizonConversion.h"
 #include "Common/VTK/HorizonTree.h"
 #include "Common/VTK/PipelineRequest.h"

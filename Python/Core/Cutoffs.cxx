@@ -28,22 +28,20 @@ nb::tuple FindAllCutoffs(
   Take(chosen, "smallest_length", options.SmallestLength);
   Take(chosen, "maximum_error", options.MaximumError);
   const std::vector<NamedHorizon> horizons = TakeNamed(given);
-  const std::vector<NamedHorizon> blocks = TakeNamed(faults);
+  std::optional<std::vector<NamedHorizon>> blocks;
+  if (faults.size() > 0)
+  {
+    blocks = TakeNamed(faults);
+  }
   std::vector<std::string> warnings;
   const CutoffStageResult made = Run(progress,
     [&](const Monitor& monitor)
     {
-      std::vector<CutInput> inputs;
-      for (const NamedHorizon& horizon : horizons)
-      {
-        PrefixErrors(horizon.Name, [&]() { inputs.push_back({ horizon.Name, ReadCutPoints(horizon.Data) }); });
-      }
-      GivenFaultPicks picks = blocks.empty() ? GivenFaultPicks() : ReadFaultPicks(blocks);
-      const ArrayTable fields = JoinFields(inputs, picks);
-      const CutoffModelData model = RunCutoffs(inputs, picks.Picks, options, monitor);
-      warnings = picks.Warnings;
+      const CutInputs inputs = ReadCutInputs(horizons, blocks);
+      const CutoffModelData model = RunCutoffs(inputs.Horizons, inputs.Faults.Picks, options, monitor);
+      warnings = inputs.Faults.Warnings;
       warnings.insert(warnings.end(), model.Warnings.begin(), model.Warnings.end());
-      return WriteCutoffs(model, fields);
+      return WriteCutoffs(model, inputs.Fields);
     });
   nb::dict result;
   result["names"] = nb::cast(made.FaultNames);

@@ -5,7 +5,6 @@
 
 #include "Data.h"
 
-#include "Filters/Cutoffs/FaultInput.h"
 #include "Filters/Sealing/SealedStage.h"
 
 using namespace nanobind::literals;
@@ -29,23 +28,13 @@ nb::tuple MakeSealedModel(
   Take(chosen, "drop_noise", options.Cutoffs.DropNoise);
   Take(chosen, "maximum_error", options.Cutoffs.MaximumError);
   const std::vector<NamedHorizon> horizons = TakeNamed(given);
-  const std::vector<NamedHorizon> blocks = TakeNamed(faults);
-  std::vector<std::string> warnings;
-  const SealedStageResult made = Run(progress,
-    [&](const Monitor& monitor)
-    {
-      std::vector<CutInput> inputs;
-      for (const NamedHorizon& horizon : horizons)
-      {
-        PrefixErrors(horizon.Name, [&]() { inputs.push_back({ horizon.Name, ReadCutPoints(horizon.Data) }); });
-      }
-      GivenFaultPicks picks = blocks.empty() ? GivenFaultPicks() : ReadFaultPicks(blocks);
-      const ArrayTable fields = JoinFields(inputs, picks);
-      SealedStageResult result = RunSealed(inputs, picks.Picks, fields, options, monitor);
-      warnings = picks.Warnings;
-      warnings.insert(warnings.end(), result.Warnings.begin(), result.Warnings.end());
-      return result;
-    });
+  std::optional<std::vector<NamedHorizon>> blocks;
+  if (faults.size() > 0)
+  {
+    blocks = TakeNamed(faults);
+  }
+  const SealedStageResult made =
+    Run(progress, [&](const Monitor& monitor) { return RunSealed(ReadCutInputs(horizons, blocks), options, monitor); });
   nb::dict result;
   result["surfaces"] = GiveData(made.Surfaces);
   result["lines"] = GiveData(made.Lines);
@@ -55,7 +44,7 @@ nb::tuple MakeSealedModel(
   result["areas"] = GiveTable(made.Areas);
   result["picks"] = GiveTable(made.Picks);
   result["report"] = nb::cast(made.Report);
-  return nb::make_tuple(result, warnings);
+  return nb::make_tuple(result, made.Warnings);
 }
 }
 

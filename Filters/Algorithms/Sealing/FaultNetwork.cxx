@@ -218,13 +218,13 @@ private:
     const std::size_t before = network.Faults.size();
     for (std::size_t fault = 0; fault < before; ++fault)
     {
-      const FaultShares& shares = this->Shares[number][this->Numbers[fault]];
-      const bool isCut = shares.IsBoth() && this->Ends[number][this->Numbers[fault]] != 2;
+      const FaultShares& shares = this->Shares[number][network.Plates[fault]];
+      const bool isCut = shares.IsBoth() && this->Ends[number][network.Plates[fault]] != 2;
       if (shares.IsBoth() && !isCut)
       {
         const double left = shares.Sides[shares.IsHanging() ? 0 : 1] / (shares.Sides[0] + shares.Sides[1]);
         network.LeftOut.push_back(this->Plates[number].Name() + " in the " +
-          (shares.IsHanging() ? "footwall" : "hanging wall") + " of " + this->Plates[this->Numbers[fault]].Name() +
+          (shares.IsHanging() ? "footwall" : "hanging wall") + " of " + this->Plates[network.Plates[fault]].Name() +
           ", " + std::to_string(int(std::lround(100.0 * left))) + " % of it");
       }
       std::vector<SealingFault> next;
@@ -249,7 +249,7 @@ private:
     {
       part.PartOf = network.Faults.size() > before ? std::optional<std::size_t>(before) : std::nullopt;
       network.Faults.push_back(std::move(part));
-      this->Numbers.push_back(number);
+      network.Plates.push_back(number);
     }
   }
 
@@ -272,7 +272,6 @@ private:
   std::vector<std::vector<FaultShares>> Shares; // by fault and other fault
   std::vector<std::vector<unsigned char>> Ends; // by fault and the one it ends at: 1 chosen, 2 by a rule
   bool HasRules = false;
-  std::vector<std::size_t> Numbers; // of plates, by fault of the network
 };
 }
 

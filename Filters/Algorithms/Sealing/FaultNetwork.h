@@ -31,6 +31,7 @@ struct FaultNetwork
 {
   /// In order. Each has its region.
   std::vector<SealingFault> Faults;
+  std::vector<std::size_t> Plates; // their numbers, by fault
   std::vector<std::string> Choices; // made without a rule, as "F2 ends at F1"
   std::vector<std::string> LeftOut; // parts of faults beyond those that they end at by a rule
   std::vector<std::string> Outside; // names of faults that are not in the box

@@ -210,9 +210,8 @@ ComplexBodies FindBodies(const SealedComplex& complex)
             PlaceText(complex.Vertices[std::size_t(edges[first].Key >> 32U)]) + ", expected a body on each side");
         }
         sides.Join(2 * here.Triangle + here.Rising, 2 * next.Triangle + 1 - next.Rising);
-        constexpr double degrees = 57.29577951308232;
-        const double gap = next.Angle - here.Angle + (n + 1 == around.size() ? 360.0 / degrees : 0.0);
-        bodies.LeastAngle = std::min(bodies.LeastAngle, gap * degrees);
+        const double gap = next.Angle - here.Angle + (n + 1 == around.size() ? 360.0 / DegreesPerRadian : 0.0);
+        bodies.LeastAngle = std::min(bodies.LeastAngle, gap * DegreesPerRadian);
       }
     });
   std::vector<double> volumes(2 * triangles.size(), 0.0);

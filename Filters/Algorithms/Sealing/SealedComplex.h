@@ -23,6 +23,7 @@ namespace SeismicHorizons
 {
 using SealedLabel = std::int32_t;
 constexpr SealedLabel OutsideLabel = -1;
+constexpr double DegreesPerRadian = 57.29577951308232;
 
 struct LabelledTriangle
 {

@@ -21,7 +21,6 @@ namespace
 using GonePlaces = std::vector<Eigen::Vector3d>;
 
 constexpr double Short = 0.02; // columns; edges up to this length may go with their corners
-constexpr double RadiansPerDegree = 0.017453292519943295;
 
 /// Visits heights over a triangle, until visit(how far one is above it) is false.
 template <typename Visitor>
@@ -102,17 +101,13 @@ public:
     : Complex(std::move(complex))
     , Shapes(shapes)
     , Options(options)
-    , LargestCosine(std::cos(options.SmallestAngle * RadiansPerDegree))
+    , LargestCosine(std::cos(options.SmallestAngle / DegreesPerRadian))
     , Around(this->Complex.Vertices.size())
     , Grid(options.Column)
   {
     for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
     {
-      for (const SealId corner : this->Complex.Triangles[n].Corners)
-      {
-        this->Around[std::size_t(corner)].push_back(SealId(n));
-      }
-      this->Grid.Add(SealId(n), this->BoxOf(this->Complex.Triangles[n].Corners));
+      this->PutIn(SealId(n));
     }
   }
 
@@ -373,35 +368,41 @@ private:
     }
     for (const SealId triangle : gone)
     {
-      this->Grid.Remove(triangle, this->BoxOf(this->Triangle(triangle).Corners));
-      for (const SealId corner : this->Triangle(triangle).Corners)
-      {
-        std::vector<SealId>& around = this->Around[std::size_t(corner)];
-        around.erase(std::remove(around.begin(), around.end(), triangle), around.end());
-      }
+      this->TakeOut(triangle);
       this->Complex.Triangles[std::size_t(triangle)].Sheet = -1;
     }
     this->Replace(changed, corners);
     return true;
   }
 
+  void PutIn(SealId triangle)
+  {
+    const SheetCorners& corners = this->Triangle(triangle).Corners;
+    this->Grid.Add(triangle, this->BoxOf(corners));
+    for (const SealId corner : corners)
+    {
+      this->Around[std::size_t(corner)].push_back(triangle);
+    }
+  }
+
+  void TakeOut(SealId triangle)
+  {
+    const SheetCorners& corners = this->Triangle(triangle).Corners;
+    this->Grid.Remove(triangle, this->BoxOf(corners));
+    for (const SealId corner : corners)
+    {
+      std::vector<SealId>& around = this->Around[std::size_t(corner)];
+      around.erase(std::remove(around.begin(), around.end(), triangle), around.end());
+    }
+  }
+
   void Replace(const std::vector<SealId>& changed, const std::vector<SheetCorners>& corners)
   {
     for (std::size_t n = 0; n < changed.size(); ++n)
     {
-      SheetCorners& old = this->Complex.Triangles[std::size_t(changed[n])].Corners;
-      this->Grid.Remove(changed[n], this->BoxOf(old));
-      for (const SealId corner : old)
-      {
-        std::vector<SealId>& around = this->Around[std::size_t(corner)];
-        around.erase(std::remove(around.begin(), around.end(), changed[n]), around.end());
-      }
-      old = corners[n];
-      this->Grid.Add(changed[n], this->BoxOf(old));
-      for (const SealId corner : old)
-      {
-        this->Around[std::size_t(corner)].push_back(changed[n]);
-      }
+      this->TakeOut(changed[n]);
+      this->Complex.Triangles[std::size_t(changed[n])].Corners = corners[n];
+      this->PutIn(changed[n]);
     }
   }
 

@@ -34,10 +34,9 @@ public:
     : Input(input)
     , Options(options)
     , Tree(input.Faults)
+    , Box(input.Box())
     , Column(input.Step.maxCoeff())
   {
-    this->Box.min() << input.Step.x() * input.Least.X, input.Step.y() * input.Least.Y, input.Base;
-    this->Box.max() << input.Step.x() * input.Greatest.X, input.Step.y() * input.Greatest.Y, input.Top;
     HorizonBlocks found = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
     this->Blocks = std::move(found.Blocks);
     this->Accounts = std::move(found.Accounts);
@@ -319,8 +318,8 @@ private:
   const SealingInput& Input;
   const SealingOptions& Options;
   BlockTree Tree;
-  double Column;
   Eigen::AlignedBox3d Box;
+  double Column;
   std::vector<BlockHeights> Blocks;
   std::vector<Sheet> Sheets; // of blocks, faults, walls along x and y, base and top
   std::vector<std::size_t> SheetsOfFaults; // Parts of one fault share it.

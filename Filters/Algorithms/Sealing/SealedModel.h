@@ -18,6 +18,7 @@
 #include "Filters/Algorithms/Cutoffs/FaultPlate.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
@@ -63,6 +64,12 @@ struct SealingInput
   double Base = 0.0;
   std::vector<SealingFault> Faults;
   std::vector<SealingHorizon> Horizons; // from the uppermost on
+
+  Eigen::AlignedBox3d Box() const
+  {
+    return { Eigen::Vector3d(this->Step.x() * this->Least.X, this->Step.y() * this->Least.Y, this->Base),
+      Eigen::Vector3d(this->Step.x() * this->Greatest.X, this->Step.y() * this->Greatest.Y, this->Top) };
+  }
 };
 
 struct SealingOptions

@@ -83,7 +83,7 @@ void WriteModel(const TrueModel& truth, const SealedModel& model, const std::vec
     file << triangle.Corners[0] << ' ' << triangle.Corners[1] << ' ' << triangle.Corners[2] << ' ' << triangle.Surface
          << ' ' << triangle.Body[0] << ' ' << triangle.Body[1] << '\n';
   }
-  file << "guessed " << model.Guessed.size() << "\ntruth " << volumes.size() << '\n';
+  file << "guessed " << model.Guessed.size() + truth.Eroded << "\ntruth " << volumes.size() << '\n';
   for (const double volume : volumes)
   {
     file << volume << '\n';
