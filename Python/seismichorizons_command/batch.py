@@ -294,7 +294,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             results.append(result)
         result.data.pop("measured", None)
         if not supply.is_whole and settings.joins_horizons():
-            raise HorizonError("%s: layers or cutoffs of horizons larger than memory, expected more memory (--memory) or fewer "
+            raise HorizonError("%s: layers, cutoffs or sealed models of horizons larger than memory, expected more memory (--memory) or fewer "
                                "horizons (--horizons)" % label)
         if not supply.is_whole:
             result.release()
@@ -345,15 +345,12 @@ def _write(results, names, folder):
 def _write_together(label, points, settings, names, folder, record):
     """Writes what all horizons have together, given their points by name, and returns the lines to print. Raises HorizonError."""
     lines = []
-    if settings.cutoffs is not None:
-        lines, warnings = cutoffs.write(points, settings, label, names, folder)
-        for warning in warnings:
-            record.warn("%s: %s" % (label, warning))
-    if settings.sealed is not None:
-        more, warnings = cutoffs.write_sealed(points, settings, label, names, folder)
-        lines += more
-        for warning in warnings:
-            record.warn("%s: %s" % (label, warning))
+    for wanted, write in ((settings.cutoffs, cutoffs.write), (settings.sealed, cutoffs.write_sealed)):
+        if wanted is not None:
+            more, warnings = write(points, settings, label, names, folder)
+            lines += more
+            for warning in warnings:
+                record.warn("%s: %s" % (label, warning))
     if settings.layers is not None:
         lines += _write_layers(label, points, settings, names, folder, record)
     return lines

@@ -89,18 +89,15 @@ def make_settings(options):
     throw = getattr(options, "cut_faults", None)
     settings.torn, settings.fault_lines, settings.fault_files = fault_settings(
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
-    if settings.fault_formats and settings.torn is None:
-        raise HorizonError("--fault-formats without faults, expected --cut-faults, --fault-lines or --fault-sticks")
+    for name, is_given in (("fault-formats", settings.fault_formats), ("cutoffs", hasattr(options, "cutoffs")), ("sealed", hasattr(options, "sealed"))):
+        if is_given and settings.torn is None:
+            raise HorizonError("--%s without faults, expected --cut-faults, --fault-lines or --fault-sticks" % name)
     for name, needed in (("fault_dip", ("cutoffs", "sealed")), ("fault_endings", ("sealed",))):
         if hasattr(options, name) and not any(hasattr(options, other) for other in needed):
             raise HorizonError("--%s without %s, expected both" % (name.replace("_", "-"), " or ".join("--" + other for other in needed)))
     if hasattr(options, "cutoffs"):
-        if settings.torn is None:
-            raise HorizonError("--cutoffs without faults, expected --cut-faults, --fault-lines or --fault-sticks")
         settings.cutoffs = given(options, Dip="fault_dip")
     if hasattr(options, "sealed"):
-        if settings.torn is None:
-            raise HorizonError("--sealed without faults, expected --cut-faults, --fault-lines or --fault-sticks")
         settings.sealed = {**_error(options), **given(options, Dip="fault_dip", Endings="fault_endings")}
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "KeepHoles")

@@ -596,16 +596,18 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
   HorizonBlocks result;
   std::vector<BlockHeights>& blocks = result.Blocks;
   result.Accounts.resize(input.Horizons.size());
+  const double step = 1.0 / double(input.Horizons.size());
   for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
   {
+    const Monitor part = monitor.Step(step * double(horizon), step * double(horizon + 1));
     std::vector<BlockHeights> own =
-      ListPicks(input, horizon, filler.Everywhere(), tree, drop, result.Accounts[horizon], monitor);
+      ListPicks(input, horizon, filler.Everywhere(), tree, drop, result.Accounts[horizon], part.Step(0.0, 0.3));
     if (std::none_of(own.begin(), own.end(), [](const BlockHeights& block) { return block.Known >= FewestOfBlock; }))
     {
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +
         " picks in any block, expected more");
     }
-    ParallelFor(std::int64_t(own.size()), 1, monitor,
+    ParallelFor(std::int64_t(own.size()), 1, part.Step(0.3, 1.0),
       [&](std::int64_t first, std::int64_t last)
       {
         for (auto n = std::size_t(first); n < std::size_t(last); ++n)

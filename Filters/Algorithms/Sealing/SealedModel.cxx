@@ -41,6 +41,12 @@ public:
     this->Blocks = std::move(found.Blocks);
     this->Accounts = std::move(found.Accounts);
     constexpr double notThere = std::numeric_limits<double>::quiet_NaN();
+    const auto step = [&]()
+    {
+      const double sheet = 0.7 / double(this->Blocks.size() + input.Faults.size());
+      const double done = 0.3 + sheet * double(this->Sheets.size());
+      return monitor.Step(done, done + sheet);
+    };
     for (const BlockHeights& block : this->Blocks)
     {
       SheetHeights heights;
@@ -51,7 +57,7 @@ public:
       {
         heights.Heights.push_back((block.Nodes[node] & IsMeshed) != 0 ? block.Heights[node] : notThere);
       }
-      this->AddSheet(std::move(heights), options.MaximumError);
+      this->AddSheet(std::move(heights), options.MaximumError, step());
     }
     this->FirstFault = this->Sheets.size();
     for (const SealingFault& fault : input.Faults)
@@ -61,7 +67,7 @@ public:
       {
         continue;
       }
-      this->AddSheet(this->HeightsOf(fault.Plate), options.FaultError);
+      this->AddSheet(this->HeightsOf(fault.Plate), options.FaultError, step());
     }
     this->FirstWall = this->Sheets.size();
     const Eigen::AlignedBox3d around(this->Box.min() - Eigen::Vector3d::Constant(this->Column),
@@ -212,9 +218,9 @@ public:
 private:
   static constexpr double partOfError = 0.5;
 
-  void AddSheet(SheetHeights heights, double error)
+  void AddSheet(SheetHeights heights, double error, const Monitor& monitor)
   {
-    this->Sheets.push_back(MeshSheet(heights, partOfError * error));
+    this->Sheets.push_back(MeshSheet(heights, partOfError * error, monitor));
     const Eigen::Matrix3d axes = heights.Axes;
     this->Shapes.push_back({ std::move(heights), error, axes });
   }
