@@ -184,11 +184,10 @@ private:
         meshed.Add(block.Window.ColumnOf(node));
       }
     }
-    if (meshed.IsEmpty())
+    if (!meshed.IsEmpty()) // Otherwise the horizon is above or below all of its block, which far heights tell.
     {
-      meshed.Add(block.Window.Least);
+      Move(block, meshed);
     }
-    Move(block, meshed);
   }
 
   /// Step by step from picks, since how far the block reaches depends on the heights. Columns around the box, which are cut
