@@ -9,6 +9,7 @@
 #include "Filters/Algorithms/Sealing/FaultNetwork.h"
 #include "Filters/Algorithms/Sealing/SealedComplex.h"
 #include "Filters/Algorithms/Sealing/SealedModel.h"
+#include "Filters/Algorithms/Sealing/SurveyOutline.h"
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/PlacedPoints.h"
 #include "Filters/Common/StageReport.h"
@@ -267,9 +268,13 @@ SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& o
     throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
   }
   AddFaults(network, input);
+  if (options.FollowsOutline)
+  {
+    input.Outline = FindSurveyOutline(input, monitor.Step(0.4, 0.42));
+  }
   constexpr double partOfColumn = 0.25;
   sealing.FaultError = std::max(sealing.MaximumError, partOfColumn * frame.Step.minCoeff());
-  SealedModel model = SealModel(input, sealing, monitor.Step(0.4, 0.95));
+  SealedModel model = SealModel(input, sealing, monitor.Step(0.42, 0.95));
   const Eigen::Isometry2d toWorld = frame.ToModel.inverse();
   for (Eigen::Vector3d& vertex : model.Vertices)
   {

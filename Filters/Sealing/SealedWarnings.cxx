@@ -76,7 +76,7 @@ void WarnOfPicks(const SealingHorizon& horizon, const PickAccount& account, std:
   {
     text.str("");
     text << horizon.Name << " with " << account.Outside << " of " << horizon.Columns.size()
-         << " picks outside the box, expected horizons over one area";
+         << " picks outside the walls, expected horizons over one area";
     warnings.push_back(text.str());
   }
   if (double(account.Continued) > mostContinued * double(account.Columns))

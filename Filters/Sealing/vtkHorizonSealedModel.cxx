@@ -127,5 +127,6 @@ SealedStageOptions vtkHorizonSealedModel::MakeOptions() const
   options.Endings = this->Endings ? this->Endings : "";
   options.EndDistance = this->EndDistance;
   options.Unconformities = this->Unconformities ? this->Unconformities : "";
+  options.FollowsOutline = this->Outline == Picks;
   return options;
 }

@@ -6,7 +6,7 @@
  *
  * Inputs are those of vtkHorizonCutStage, horizons in depth on one lattice.
  *
- * The model is a box around the columns that all horizons have. Faults are continued beyond their sticks, up to the box or
+ * The model is a box around the columns that all horizons have, or within the outline of picks. Faults are continued beyond their sticks, up to its walls or
  * the fault they end at, and horizons to the faults, without picks that do not agree (vtkHorizonCutoffs). What surfaces
  * share are the same points, so that bodies have no gaps: no triangle meets another one elsewhere. Outputs:
  *  - 0 Surfaces: all triangles. Cell data: SurfaceName; SurfaceType (unsigned char: 0 horizon, 1 fault, 2 wall, 3 top or
@@ -63,6 +63,12 @@ public:
    */
   vtkHorizonTextMacro(Unconformities);
 
+  /**
+   * Where the walls are. Box: around the columns that all horizons have. Picks: along the outline of all picks in this box,
+   * with few corners. Default: Box.
+   */
+  vtkHorizonChoice2Macro(Outline, Outlines, Box, Picks);
+
 protected:
   vtkHorizonSealedModel();
   ~vtkHorizonSealedModel() override;
@@ -79,6 +85,7 @@ private:
   char* Endings = nullptr;
   double EndDistance = 5.0;
   char* Unconformities = nullptr;
+  int Outline = Box;
 };
 
 #endif

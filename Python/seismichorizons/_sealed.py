@@ -102,9 +102,9 @@ class SealedModel:
 
 
 def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults: Any, *, endings: str = "", end_distance: float = 5.0,
-           unconformities: str = "", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
+           unconformities: str = "", outline: str = "box", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
            largest_error: float | str | None = None, progress: Progress | None = None) -> SealedModel:
-    """Makes closed bodies of the layers between horizons and faults, in a box around the columns that all horizons have.
+    """Makes closed bodies of the layers between horizons and faults.
 
     Parameters
     ----------
@@ -119,6 +119,8 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
         A fault that reaches less beyond another one ends there, in columns.
     unconformities : str
         Names of horizons, with semicolons between them, that faults end at from below.
+    outline : "box" or "picks"
+        Where the walls are: around the columns that all horizons have, or along the outline of all picks there.
     dip, drop_distance, drop_noise : float
         As of `cutoffs`.
     largest_error : float or str, optional
@@ -142,7 +144,7 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     """
     given, blocks, named = faults_of(horizons, faults, "sealed model")
     first = next(iter(given.values()), None)
-    options = given_options(endings=endings, end_distance=float(end_distance), unconformities=unconformities, dip=float(dip),
+    options = given_options(endings=endings, end_distance=float(end_distance), unconformities=unconformities, outline=outline, dip=float(dip),
                             drop_distance=float(drop_distance), drop_noise=float(drop_noise),
                             maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit))
     made = call("sealed model", _core.sealed, named, blocks, options, progress)

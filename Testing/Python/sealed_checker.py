@@ -5,7 +5,7 @@
   sealed_checker.py FILE...       a line per model, also of those in folders, with problems and places, which make the exit code 1
   sealed_checker.py --self FILE   models made from the file that are broken on purpose have to be reported
 
-Files: "sealed 1"; "box x0 y0 z0 x1 y1 z1"; "surfaces N" with N lines "type name" (0 horizon, 1 fault, 2 wall, 3 top or base);
+Files: "sealed 1"; "box x0 y0 z0 x1 y1 z1"; perhaps "outline N" with N corners "x y" of walls, clockwise; "surfaces N" with N lines "type name" (0 horizon, 1 fault, 2 wall, 3 top or base);
 "bodies N", "layer block volume"; "vertices N", "x y z"; "triangles N", "a b c surface before behind", bodies on both sides, -1
 outside; perhaps "guessed K", of faults without a known throw; perhaps "truth N", volumes by layer.
 
@@ -26,6 +26,7 @@ import types
 from fractions import Fraction
 
 import numpy as np
+from sealed_programs import TOOLS
 
 HORIZON, FAULT, WALL, END = range(4)
 ONE_TRIANGLE, OTHER_BODY, NOT_IN_FILE = "an edge of one triangle", "bodies that differ at an edge", "a volume that is not in the file"
@@ -43,12 +44,25 @@ def read(path):
     m = types.SimpleNamespace(
         box=np.array(parts["box"], float).reshape(2, 3), names=names, types=np.array(kinds, int), layer=layers.astype(int), volume=volumes,
         V=np.array(parts["vertices"], float), T=triangles[:, :3], S=triangles[:, 3], sides=triangles[:, 4:],  # before and behind
-        guessed=int(parts["guessed"][0]), truth=np.array(parts["truth"], float).ravel())
+        outline=np.array(parts["outline"], float) if "outline" in parts else None, guessed=int(parts["guessed"][0]), truth=np.array(parts["truth"], float).ravel())
     ranges = ((m.T, len(m.V)), (m.S, len(names)), (m.sides + 1, len(layers) + 1), (m.types, 4), (m.layer, len(m.truth) or 10000))
     good = parts["sealed"] == ["1"] and m.sides.shape[1] == 2 and np.isfinite(m.V).all() and (m.box[1] > m.box[0]).all()
     if not (good and all(((0 <= numbers) & (numbers < count)).all() for numbers, count in ranges)):
         raise ValueError("another version, or a number out of its range")
     return m
+
+
+def walls_of(m):
+    """Corners of the walls, clockwise, and the way to the next one."""
+    (x0, y0, _), (x1, y1, _) = m.box
+    corners = m.outline if m.outline is not None else np.array([(x0, y0), (x0, y1), (x1, y1), (x1, y0)])
+    return corners, np.roll(corners, -1, 0) - corners
+
+
+def volume_of_walls(m):
+    corners, ways = walls_of(m)
+    a = corners - m.box[0, :2]
+    return math.fsum(a[:, 1] * ways[:, 0] - a[:, 0] * ways[:, 1]) / 2 * float(m.box[1, 2] - m.box[0, 2])
 
 
 def add(problems, kind, place, words):
@@ -185,7 +199,7 @@ def turns_around(m, place, sides):
 
 def check_bodies(m, links, problems):
     """Returns the volumes of the bodies: positive, those of the file, and in sum that of the box; each body is one piece."""
-    middle, box, bodies = m.box.mean(0), float(np.prod(m.box[1] - m.box[0])), m.sides.ravel()
+    middle, box, bodies = m.box.mean(0), volume_of_walls(m), m.sides.ravel()
     a, b, c = np.moveaxis(m.V[m.T] - middle, 1, 0)
     parts = np.outer((a * cross(b, c)).sum(1) / 6, (-1, 1)).ravel()  # by side
     volumes = np.array([math.fsum(parts[bodies == body]) for body in range(len(m.layer))])
@@ -212,12 +226,20 @@ def check_surfaces(m, problems):
     """Horizon i has layer i before it and i + 1 behind it; walls, top and base have the outside on one side and lie in the box."""
     kinds, layers, corners = m.types[m.S], np.append(m.layer, -1)[m.sides], m.V[m.T]
     numbers, tolerance = (np.cumsum(m.types == HORIZON) - 1)[m.S], 1e-9 * np.linalg.norm(m.box[1] - m.box[0])
-    on = (np.abs(corners[:, :, None] - m.box) <= tolerance).all(1)  # by triangle, low or high, axis
+    ends = (np.abs(corners[:, :, None, 2] - m.box[:, 2]) <= tolerance).all(1).any(1)
+    firsts, ways = walls_of(m)
+    to = corners[:, :, None, :2] - firsts  # by triangle, corner, wall
+    long, parts = np.linalg.norm(ways, axis=1), (to * ways).sum(-1) / (ways ** 2).sum(1)
+    on = (np.abs(to[..., 0] * ways[:, 1] - to[..., 1] * ways[:, 0]) <= tolerance * long) & (np.abs(parts - 0.5) <= 0.5 + tolerance / long)
+    crossed = (to[..., 1] < 0) != (to[..., 1] < ways[:, 1])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        crossed &= to[..., 0] < ways[:, 0] * to[..., 1] / ways[:, 1]
+    out = (crossed.sum(-1) % 2 == 0) & ~on.any(-1) | (corners[..., 2] < m.box[0, 2] - tolerance) | (corners[..., 2] > m.box[1, 2] + tolerance)
     for kind, wrong in {
             "a horizon between wrong layers": (kinds == HORIZON) & (layers != np.stack([numbers, numbers + 1], 1)).any(1),
             "the outside at a wrong surface": (m.sides == -1).sum(1) != (kinds >= WALL),
-            "a wall that is not in the box": (kinds == WALL) & ~on[:, :, :2].any((1, 2)) | (kinds == END) & ~on[:, :, 2].any(1),
-            "a triangle out of the box": ((corners < m.box[0] - tolerance) | (corners > m.box[1] + tolerance)).any((1, 2))}.items():
+            "a wall that is not in the box": (kinds == WALL) & ~on.all(1).any(1) | (kinds == END) & ~ends,
+            "a triangle out of the box": out.any(1)}.items():
         for t in np.flatnonzero(wrong).tolist():
             add(problems, kind, corners[t].mean(0), "%s between layers %d and %d" % (m.names[m.S[t]], *layers[t]))
 
@@ -236,80 +258,6 @@ def check(m):
     if m.guessed == 0 and len(m.truth) and not off <= 1:
         add(problems, "volumes of layers off the truth", m.box.mean(0), "by %.3g %%" % off)
     return problems, off
-
-
-def volumes_of(vertices, tetrahedra):
-    a, b, c, d = np.moveaxis(vertices[tetrahedra], 1, 0)
-    return np.abs(((b - a) * cross(c - a, d - a)).sum(1)) / 6
-
-
-def compare(m, volumes):
-    """What is wrong with volumes of the bodies from another program."""
-    right = len(volumes) == len(m.volume) and np.allclose(volumes, m.volume, rtol=1e-6, atol=1e-12 * np.prod(m.box[1] - m.box[0]))
-    return "" if right else "%d volumes %s, expected %d %s" % (len(volumes), volumes, len(m.volume), m.volume)
-
-
-def run_tetgen(m):
-    """Compares the volumes of TetGen's regions by size. It may fail in one order of the vertices and not in another."""
-    import tetgen
-    for switches, order in (("pYQA", np.arange(len(m.V))), ("pYQAT1e-12", np.random.default_rng(1).permutation(len(m.V)))):
-        try:
-            nodes, tetrahedra, regions, _ = tetgen.TetGen(m.V[order], np.argsort(order)[m.T].astype(np.int32)).tetrahedralize(switches=switches)
-            sizes = np.bincount(np.unique(regions, return_inverse=True)[1].ravel(), volumes_of(nodes, tetrahedra))
-            wrong = compare(m, np.sort(sizes)[np.argsort(np.argsort(m.volume))] if len(sizes) == len(m.volume) else sizes)
-        except RuntimeError as error:
-            wrong = str(error)
-        if not wrong:
-            break
-    return wrong
-
-
-def run_gmsh(m):
-    """Compares the volumes that Gmsh fills with tetrahedra, once it has found the lines and corners of the surfaces."""
-    import gmsh
-    gmsh.initialize(interruptible=False)
-    mesh = gmsh.model.mesh
-    for name, value in {"General.Terminal": 0, "Mesh.MeshSizeMin": 1e9, "Mesh.Optimize": 0, "Mesh.SaveAll": 1, "Mesh.MshFileVersion": 2.2}.items():
-        gmsh.option.setNumber(name, value)
-    sheets, of = np.unique(np.column_stack([m.S, m.sides]), axis=0, return_inverse=True)
-    for sheet in range(len(sheets)):
-        gmsh.model.addDiscreteEntity(2, sheet + 1)
-    mesh.addNodes(2, 1, np.arange(1, len(m.V) + 1), m.V.ravel())
-    for sheet in range(len(sheets)):
-        mesh.addElementsByType(sheet + 1, 2, [], (m.T[of.ravel() == sheet] + 1).ravel())
-    mesh.createTopology()
-    sides, around = {frozenset(t): set(s) for t, s in zip((m.T + 1).tolist(), m.sides.tolist())}, collections.defaultdict(list)
-    for _, face in gmsh.model.getEntities(2):
-        for body in sides[frozenset(mesh.getElementsByType(2, face)[1][:3].tolist())]:
-            around[body].append(face)
-    for body in range(len(m.layer)):
-        gmsh.model.geo.addVolume([gmsh.model.geo.addSurfaceLoop(around[body])], body + 1)
-    gmsh.model.geo.synchronize()
-    mesh.generate(3)
-    gmsh.write("model.msh")
-    numbers, places, _ = mesh.getNodes()
-    vertices = np.zeros((int(numbers.max()) + 1, 3))
-    vertices[numbers.astype(int)] = places.reshape(-1, 3)
-    bodies = [mesh.getElementsByType(4, body + 1)[1].astype(int).reshape(-1, 4) for body in range(len(m.layer))]
-    return compare(m, [float(volumes_of(vertices, tetrahedra).sum()) for tetrahedra in bodies])
-
-
-def run_opengeode(m):
-    """What OpenGeode's inspector says to the model with Gmsh's tetrahedra, but that some of these are flat."""
-    core, files, inspector = map(importlib.import_module, TOOLS["OpenGeode"][1][1:])
-    run_gmsh(m)
-    for library in (core.OpenGeodeModelLibrary, files.OpenGeodeIOModelLibrary, inspector.OpenGeodeInspectorInspectionLibrary):
-        library.initialize()
-    model = core.load_brep("model.msh")
-    found = inspector.inspect_brep(model)
-    issues = found.nb_issues() - found.meshes.meshes_degenerations.degenerated_polyhedra.nb_issues()
-    words = " ".join(line for line in found.string().splitlines() if not line.strip().startswith("no "))
-    right = model.nb_blocks() == len(m.layer) and issues == 0
-    return "" if right else "%d blocks, expected %d, %d issues: %s" % (model.nb_blocks(), len(m.layer), issues, words)
-
-
-TOOLS = {"TetGen": (run_tetgen, ["tetgen"]), "Gmsh": (run_gmsh, ["gmsh"]),
-         "OpenGeode": (run_opengeode, ["gmsh", "opengeode", "opengeode_io", "opengeode_inspector"])}
 
 
 def run_tool(name, path):

@@ -181,6 +181,32 @@ class SealedTest(unittest.TestCase):
             volumes.append([sum(volume for own, volume in zip(model.figures["layer"], model.figures["volume"]) if own == layer) for layer in ("U to A", "A to B")])
         np.testing.assert_allclose(volumes[0], volumes[1], rtol=0.001)
 
+    def test_outline(self):
+        """Walls follow an L with ragged edges, holes and one spur, with few corners."""
+        graben, random = Graben(), np.random.default_rng(5)
+        across, along = 1300.0 + random.uniform(-30.0, 30.0, graben.u.shape), 1200.0 + random.uniform(-30.0, 30.0, graben.u.shape)
+        out = (graben.u > across) & (graben.v > along)
+        out[70, 52:70] = False  # a spur
+        out |= random.uniform(size=out.shape) < 0.05
+        horizons = graben.horizons(lambda _, z: np.where(out, np.nan, z))
+        model, _ = sealed(horizons, graben.sticks(), outline="picks")
+        walls = {name for name, kind in zip(model.surface, model.surface_type) if kind == 2}
+        self.assertTrue(6 <= len(walls) <= 32, walls)
+        on = model.points[np.unique(model.triangles[model.surface_type == 2])]
+        u, v = ((on[:, :2] - ORIGIN) @ np.array([[math.cos(TURN), -math.sin(TURN)], [math.sin(TURN), math.cos(TURN)]])).T
+        inner = np.where((u < 1300.0) | (v < 1200.0), np.maximum(1300.0 - u, 1200.0 - v), np.minimum(u - 1300.0, v - 1200.0))
+        away = np.min([u, v, SIZE - u, SIZE - v, np.abs(inner)], axis=0)
+        self.assertLess(np.quantile(away, 0.9), 75.0)
+        self.assertLess(away.max(), 210.0)  # Hops of eight columns cut the corner at the spur.
+        height = np.ptp(model.points[:, 2])
+        self.assertLess(abs(model.figures["volume"].sum() / height / (SIZE ** 2 - 700.0 * 800.0) - 1.0), 0.03)
+        words = ("used", "beside_faults", "not_agreeing", "doubled", "outside")
+        for n, horizon in enumerate(horizons.values()):
+            self.assertEqual(sum(model.picks[word][n] for word in words), len(horizon))
+        self.assertGreater(min(model.picks["outside"]), 0)
+        with self.assertRaisesRegex(ValueError, "outline 'hull', expected box or picks"):
+            sealed(horizons, graben.sticks(), outline="hull")
+
     def test_upright_faults(self):
         """The hanging wall is where horizons are lower."""
         graben = Graben()

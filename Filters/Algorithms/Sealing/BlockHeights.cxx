@@ -76,11 +76,17 @@ public:
   explicit BlockFiller(const SealingInput& input)
     : Input(input)
     , All(WindowOf(input, Margin))
+    , Corners(input.Corners())
     , Column(input.Step.maxCoeff())
   {
   }
 
   const BlockWindow& Everywhere() const { return this->All; }
+  bool IsInWalls(const PlanePoint& column) const
+  {
+    return WindowOf(this->Input, 0).Contains(column) &&
+      (this->Input.Outline.empty() || SeismicHorizons::IsInside(this->Corners, this->PlaceOf(column, 0.0).head<2>()));
+  }
 
   /// Continues the picks of a block over it, in a window that grows until it holds the block.
   void Fill(BlockHeights& block, const Monitor& monitor) const
@@ -141,7 +147,7 @@ private:
 
   bool IsInBox(const BlockHeights& block, std::size_t node) const
   {
-    return (block.Nodes[node] & IsMeshed) != 0 && WindowOf(this->Input, 0).Contains(block.Window.ColumnOf(node)) &&
+    return (block.Nodes[node] & IsMeshed) != 0 && this->IsInWalls(block.Window.ColumnOf(node)) &&
       this->IsInside(block, node, block.Heights[node], 0.0);
   }
 
@@ -415,6 +421,7 @@ private:
 
   const SealingInput& Input;
   BlockWindow All;
+  std::vector<Eigen::Vector2d> Corners;
   double Column;
 };
 
@@ -466,10 +473,11 @@ std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHor
 }
 
 /// The picks of a horizon by block.
-std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockWindow& all,
+std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockFiller& filler,
   const BlockTree& tree, double drop, PickAccount& account, const Monitor& monitor)
 {
   const SealingHorizon& horizon = input.Horizons[number];
+  const BlockWindow& all = filler.Everywhere();
   std::vector<BlockHeights> blocks;
   for (const BlockSides& sides : tree.BlocksOf(number))
   {
@@ -514,7 +522,8 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       ++account.Doubled;
       continue;
     }
-    ++account.Used;
+    // Those behind walls along the outline shape the horizon up to the walls.
+    ++(input.Outline.empty() || filler.IsInWalls(column) ? account.Used : account.Outside);
     ++block.Known;
     block.Nodes[node] = HasPick;
     block.Heights[node] = horizon.Heights[pick];
@@ -600,7 +609,7 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
   {
     const Monitor part = monitor.Step(step * double(horizon), step * double(horizon + 1));
     std::vector<BlockHeights> own =
-      ListPicks(input, horizon, filler.Everywhere(), tree, drop, result.Accounts[horizon], part.Step(0.0, 0.3));
+      ListPicks(input, horizon, filler, tree, drop, result.Accounts[horizon], part.Step(0.0, 0.3));
     if (std::none_of(own.begin(), own.end(), [](const BlockHeights& block) { return block.Known >= FewestOfBlock; }))
     {
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +

@@ -35,6 +35,7 @@ public:
     , Options(options)
     , Tree(input.Faults)
     , Box(input.Box())
+    , Corners(input.Corners())
     , Column(input.Step.maxCoeff())
   {
     HorizonBlocks found = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
@@ -69,18 +70,7 @@ public:
       }
       this->AddSheet(this->HeightsOf(fault.Plate), options.FaultError, step());
     }
-    this->FirstWall = this->Sheets.size();
-    const Eigen::AlignedBox3d around(this->Box.min() - Eigen::Vector3d::Constant(this->Column),
-      this->Box.max() + Eigen::Vector3d::Constant(this->Column));
-    constexpr double mostSquares = 24.0, leastSquare = 8.0; // along the longest side; in columns
-    const double square = std::max(leastSquare * this->Column, this->Box.sizes().maxCoeff() / mostSquares);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.min()[axis], square));
-      this->Sheets.push_back(MakeLevelSheet(around, axis, this->Box.max()[axis], square));
-      this->Shapes.push_back({ SheetHeights(), 0.0, this->Sheets.back().Axes });
-      this->Shapes.push_back(this->Shapes.back());
-    }
+    this->AddWalls();
   }
 
   std::vector<std::pair<int, int>> Pairs() const
@@ -176,15 +166,9 @@ public:
   SealedLabel LabelAt(const Eigen::Vector3d& place, std::int32_t sheet, int side)
   {
     const auto own = std::size_t(sheet);
-    for (std::size_t wall = this->FirstWall; wall < this->Sheets.size(); ++wall)
+    if (this->IsOutside(place, own, side))
     {
-      const auto axis = int(wall - this->FirstWall) / 2;
-      const bool isMax = (wall - this->FirstWall) % 2 == 1;
-      const double beyond = (isMax ? 1.0 : -1.0) * (place[axis] - this->Shaken[wall].Level());
-      if (own == wall ? (side == 0) == isMax : beyond > 0.0)
-      {
-        return OutsideLabel;
-      }
+      return OutsideLabel;
     }
     BlockSides known(this->Input.Faults.size(), 0);
     const auto isHanging = [&](std::size_t fault)
@@ -218,6 +202,59 @@ public:
 private:
   static constexpr double partOfError = 0.5;
 
+  /// Walls, base and top, a column larger than the model. The normals of walls point inside.
+  void AddWalls()
+  {
+    constexpr double mostSquares = 24.0, leastSquare = 8.0; // along the longest side; in columns
+    const double square = std::max(leastSquare * this->Column, this->Box.sizes().maxCoeff() / mostSquares);
+    const Eigen::Vector3d beyond = Eigen::Vector3d::Constant(this->Column);
+    const Eigen::Vector3d least = this->Box.min() - beyond, size = this->Box.sizes() + 2.0 * beyond;
+    const auto add = [&](const Eigen::Vector3d& corner, const Eigen::Vector3d& along, const Eigen::Vector3d& up)
+    {
+      this->Sheets.push_back(MakePlaneSheet(corner, along, up, square));
+      this->Shapes.push_back({ SheetHeights(), 0.0, this->Sheets.back().Axes });
+    };
+    this->FirstWall = this->Sheets.size();
+    for (std::size_t n = 0; n < this->Corners.size(); ++n)
+    {
+      const Eigen::Vector2d from = this->Corners[n], way = this->Corners[(n + 1) % this->Corners.size()] - from;
+      const Eigen::Vector2d margin = this->Column * way.normalized();
+      const Eigen::Vector2d first = from - margin, length = way + 2.0 * margin;
+      add({ first.x(), first.y(), least.z() }, { length.x(), length.y(), 0.0 }, { 0.0, 0.0, size.z() });
+    }
+    this->FirstLimit = this->Sheets.size();
+    for (const double level : { this->Box.min().z(), this->Box.max().z() })
+    {
+      add({ least.x(), least.y(), level }, { size.x(), 0.0, 0.0 }, { 0.0, size.y(), 0.0 });
+    }
+  }
+
+  /// Just before a place of a sheet (side 0), or behind.
+  bool IsOutside(const Eigen::Vector3d& place, std::size_t own, int side) const
+  {
+    for (std::size_t limit = this->FirstLimit; limit < this->Sheets.size(); ++limit)
+    {
+      const bool isTop = limit > this->FirstLimit;
+      const double above = place.z() - this->Sheets[limit].Level();
+      if (own == limit ? (side == 0) == isTop : isTop == (above > 0.0))
+      {
+        return true;
+      }
+    }
+    const Eigen::Vector2d column = place.head<2>();
+    if (own >= this->FirstWall && own < this->FirstLimit)
+    {
+      const std::size_t n = own - this->FirstWall;
+      const Eigen::Vector2d way = this->Corners[(n + 1) % this->Corners.size()] - this->Corners[n];
+      const double part = (column - this->Corners[n]).dot(way) / way.squaredNorm();
+      if (part > 0.0 && part < 1.0)
+      {
+        return side == 1;
+      }
+    }
+    return !IsInside(this->Corners, column);
+  }
+
   void AddSheet(SheetHeights heights, double error, const Monitor& monitor)
   {
     this->Sheets.push_back(MeshSheet(heights, partOfError * error, monitor));
@@ -229,7 +266,7 @@ private:
   {
     if (b >= this->FirstWall)
     {
-      return a < this->FirstWall || (a - this->FirstWall) / 2 != (b - this->FirstWall) / 2;
+      return a < this->FirstLimit; // Top and base do not meet.
     }
     if (b < this->FirstFault)
     {
@@ -325,12 +362,14 @@ private:
   const SealingOptions& Options;
   BlockTree Tree;
   Eigen::AlignedBox3d Box;
+  std::vector<Eigen::Vector2d> Corners; // of walls
   double Column;
   std::vector<BlockHeights> Blocks;
   std::vector<Sheet> Sheets; // of blocks, faults, walls along x and y, base and top
   std::vector<std::size_t> SheetsOfFaults; // Parts of one fault share it.
   std::size_t FirstFault = 0;
   std::size_t FirstWall = 0;
+  std::size_t FirstLimit = 0; // base and top
   std::vector<SheetLocator> Locators;
   std::map<BlockSides, std::int32_t> Numbers;
 };
@@ -372,9 +411,11 @@ std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
       surfaces.push_back({ fault.Plate.Name(), SealedSurfaceType::Fault });
     }
   }
-  for (const char* const name : { "West", "East", "South", "North" })
+  constexpr std::array<const char*, 4> ofBox = { "West", "North", "East", "South" };
+  for (std::size_t wall = 0; wall < input.Corners().size(); ++wall)
   {
-    surfaces.push_back({ name, SealedSurfaceType::Wall });
+    surfaces.push_back(
+      { input.Outline.empty() ? ofBox[wall] : "Wall " + std::to_string(wall + 1), SealedSurfaceType::Wall });
   }
   surfaces.push_back({ "Base", SealedSurfaceType::Limit });
   surfaces.push_back({ "Top", SealedSurfaceType::Limit });
@@ -434,6 +475,22 @@ void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedMod
     }
   }
 }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool IsInside(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& place)
+{
+  bool isInside = false;
+  for (std::size_t n = 0; n < corners.size(); ++n)
+  {
+    const Eigen::Vector2d &a = corners[n], &b = corners[(n + 1) % corners.size()];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+      place.x() < a.x() + (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()))
+    {
+      isInside = !isInside;
+    }
+  }
+  return isInside;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -62,6 +62,8 @@ struct SealingInput
   PlanePoint Greatest = { 1, 1 };
   double Top = 0.0;
   double Base = 0.0;
+  /// Corners of the walls, clockwise, inside the box, no three on one line; empty for the box.
+  std::vector<PlanePoint> Outline;
   std::vector<SealingFault> Faults;
   std::vector<SealingHorizon> Horizons; // from the uppermost on
 
@@ -70,7 +72,27 @@ struct SealingInput
     return { Eigen::Vector3d(this->Step.x() * this->Least.X, this->Step.y() * this->Least.Y, this->Base),
       Eigen::Vector3d(this->Step.x() * this->Greatest.X, this->Step.y() * this->Greatest.Y, this->Top) };
   }
+
+  /// Of the walls, clockwise. Those of the box begin in the south-west.
+  std::vector<Eigen::Vector2d> Corners() const
+  {
+    std::vector<PlanePoint> columns = this->Outline;
+    if (columns.empty())
+    {
+      columns = { this->Least, { this->Least.X, this->Greatest.Y }, this->Greatest,
+        { this->Greatest.X, this->Least.Y } };
+    }
+    std::vector<Eigen::Vector2d> corners;
+    for (const PlanePoint& column : columns)
+    {
+      corners.emplace_back(this->Step.x() * column.X, this->Step.y() * column.Y);
+    }
+    return corners;
+  }
 };
+
+/// Whether a place is inside a closed line.
+bool IsInside(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& place);
 
 struct SealingOptions
 {

@@ -51,28 +51,28 @@ Sheet MeshSheet(const SheetHeights& heights, double error, const Monitor& monito
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Sheet MakeLevelSheet(const Eigen::AlignedBox3d& box, int axis, double level, double size)
+Sheet MakePlaneSheet(
+  const Eigen::Vector3d& corner, const Eigen::Vector3d& along, const Eigen::Vector3d& up, double size)
 {
   Sheet sheet;
-  sheet.LevelAxis = axis;
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  sheet.Axes.setZero();
-  sheet.Axes(0, u) = sheet.Axes(1, v) = sheet.Axes(2, axis) = 1.0;
-  const Eigen::Vector3d length = box.sizes();
-  const int across = std::max(1, int(std::round(length[u] / size))),
-            up = std::max(1, int(std::round(length[v] / size)));
-  for (int row = 0; row <= up; ++row)
+  sheet.IsPlane = true;
+  sheet.Axes.row(0) = along.normalized();
+  sheet.Axes.row(1) = up.normalized();
+  sheet.Axes.row(2) = sheet.Axes.row(0).cross(sheet.Axes.row(1));
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (int column = 0; column <= across; ++column)
+    sheet.LevelAxis = along[axis] == 0.0 && up[axis] == 0.0 ? axis : sheet.LevelAxis;
+  }
+  const int columns = std::max(1, int(std::round(along.norm() / size))),
+            rows = std::max(1, int(std::round(up.norm() / size)));
+  for (int row = 0; row <= rows; ++row)
+  {
+    for (int column = 0; column <= columns; ++column)
     {
-      Eigen::Vector3d place;
-      place[axis] = level;
-      place[u] = box.min()[u] + length[u] * column / across;
-      place[v] = box.min()[v] + length[v] * row / up;
-      sheet.Vertices.push_back(place);
-      if (row < up && column < across)
+      sheet.Vertices.emplace_back(corner + along * column / columns + up * row / rows);
+      if (row < rows && column < columns)
       {
-        const std::int32_t first = row * (across + 1) + column, above = first + across + 1;
+        const std::int32_t first = row * (columns + 1) + column, above = first + columns + 1;
         sheet.Triangles.push_back({ first, first + 1, above });
         sheet.Triangles.push_back({ first + 1, above + 1, above });
       }
@@ -96,7 +96,7 @@ void Shake(std::vector<Sheet>& sheets, double distance, unsigned round)
     const double level = sheet.LevelAxis ? sheet.Level() : 0.0;
     for (Eigen::Vector3d& vertex : sheet.Vertices)
     {
-      const Eigen::Vector3d move = distance * Eigen::Vector3d(next(), next(), least * next());
+      const Eigen::Vector3d move = distance * Eigen::Vector3d(next(), next(), sheet.IsPlane ? 0.0 : least * next());
       vertex += sheet.Axes.transpose() * move;
       if (sheet.LevelAxis)
       {

@@ -28,7 +28,8 @@ struct Sheet
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
   std::vector<Eigen::Vector3d> Vertices;
   std::vector<SheetCorners> Triangles; // counter-clockwise against the normal
-  /// Walls, top and base: the coordinate that all vertices share.
+  bool IsPlane = false; // walls, top and base
+  /// The coordinate that all vertices share.
   std::optional<int> LevelAxis;
 
   double Level() const { return this->Vertices.front()[*this->LevelAxis]; }
@@ -55,11 +56,12 @@ struct SheetHeights
 /// Decimates the heights within an error.
 Sheet MeshSheet(const SheetHeights& heights, double error, const Monitor& monitor = Monitor());
 
-/// A rectangle where the coordinate `axis` has the value `level`, which reaches beyond the box, in squares of about the
-/// size. The normal points along the axis.
-Sheet MakeLevelSheet(const Eigen::AlignedBox3d& box, int axis, double level, double size);
+/// A rectangle from a corner along two directions at a right angle, in squares of about the size. The normal is their cross
+/// product.
+Sheet MakePlaneSheet(
+  const Eigen::Vector3d& corner, const Eigen::Vector3d& along, const Eigen::Vector3d& up, double size);
 
-/// Moves each vertex by up to `distance`, those of level sheets on their plane, so that no four are on a plane. `round`
+/// Moves each vertex by up to `distance`, those of planes on it, so that no four are on a plane. `round`
 /// gives other moves.
 void Shake(std::vector<Sheet>& sheets, double distance, unsigned round);
 

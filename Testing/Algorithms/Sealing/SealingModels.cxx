@@ -3,6 +3,8 @@
 
 #include "SealingModels.h"
 
+#include "Common/Horizon/Predicates.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -139,6 +141,7 @@ const std::vector<Design> Designs = {
   { "listric", {} },
   { "thin", { { 900.0, 60.0, 0.0, { 100.0, 100.0, 100.0, 100.0, 100.0, 100.0 } } } },
   { "noise", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "outline", { { 900.0, 60.0, 25.0, { 90.0, 90.0, 90.0 } } } },
   { "unconformity", { { 900.0, 60.0, 0.0, { 0.0, 80.0, 80.0 } } } },
   { "Y",
     { { 700.0, 60.0, 0.0, { 120.0, 120.0, 120.0 } }, { 1200.0, 60.0, 180.0, { 60.0, 60.0, 60.0 }, { { 0, true } } } } },
@@ -270,6 +273,34 @@ WavyLayers MakeRandomLayers(std::size_t faults, Random& random)
   return layers;
 }
 
+/// In 1 of 4 networks walls are a star around the middle of the box.
+void AddOutline(SealingInput& input, Random& random)
+{
+  if (random.Below(4) != 0)
+  {
+    return;
+  }
+  const std::size_t corners = 3 + random.Below(8);
+  const double middle = 0.5 * input.Greatest.X;
+  for (std::size_t n = 0; n < corners; ++n)
+  {
+    const double angle = -2.0 * Pi * (double(n) + random.Between(0.0, 0.7)) / double(corners);
+    const double away = random.Between(0.4, 1.0) * middle;
+    input.Outline.push_back({ std::int32_t(std::lround(middle + away * std::cos(angle))),
+      std::int32_t(std::lround(middle + away * std::sin(angle))) });
+  }
+  for (std::size_t n = 0; n < corners; ++n)
+  {
+    const PlanePoint &a = input.Outline[n], &b = input.Outline[(n + 1) % corners],
+                     &c = input.Outline[(n + 2) % corners];
+    if (SignedArea(a, b, c) == 0)
+    {
+      input.Outline.clear();
+      return;
+    }
+  }
+}
+
 /// In 1 of 3 networks one horizon is an unconformity, which half of the faults do not cut.
 void AddUnconformity(TrueModel& model, WavyLayers& layers, Random& random)
 {
@@ -324,6 +355,10 @@ TrueModel MakeDesignedModel(const std::string& name)
   {
     model.Input.Faults[0].EndsBelow = 0;
   }
+  if (name == "outline")
+  {
+    model.Input.Outline = { { 10, 5 }, { 5, 70 }, { 40, 75 }, { 45, 40 }, { 75, 35 }, { 70, 8 } };
+  }
   model.Error = isNoise ? 6.0 : 1.0;
   AddHorizons(model, MakeDesignedLayers(*design), isNoise ? PickErrors{ 2.0, 40.0 } : PickErrors(), random);
   return model;
@@ -342,6 +377,7 @@ std::optional<TrueModel> MakeRandomNetwork(unsigned seed, int mostFaults)
   WavyLayers layers = MakeRandomLayers(model.Distances.size(), random);
   AddUnconformity(model, layers, random);
   AddHorizons(model, layers, PickErrors(), random);
+  AddOutline(model.Input, random);
   for (const SealingHorizon& horizon : model.Input.Horizons)
   {
     const auto [least, greatest] = std::minmax_element(horizon.Heights.begin(), horizon.Heights.end());

@@ -59,6 +59,8 @@ std::optional<TrueModel> MakeRandomNetwork(unsigned seed, int mostFaults);
 /// footwall, and one on a horizon is above it.
 TruePlace FindTruePlace(const TrueModel& model, const Eigen::Vector3d& place);
 
+double AreaInWalls(const TrueModel& model);
+
 /// By layer from the top: sums over the middles of `columns` x `columns` fine columns, along which horizons and faults are
 /// exact. Only a fault that a column meets twice within a `levels`th part of its height is missed there.
 std::vector<double> TrueVolumes(const TrueModel& model, int columns, int levels);

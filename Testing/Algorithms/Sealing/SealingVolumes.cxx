@@ -77,6 +77,19 @@ TruePlace FindTruePlace(const TrueModel& model, const Eigen::Vector3d& place)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double AreaInWalls(const TrueModel& model)
+{
+  const std::vector<Eigen::Vector2d> corners = model.Input.Corners();
+  double area = 0.0;
+  for (std::size_t n = 0; n < corners.size(); ++n)
+  {
+    const Eigen::Vector2d &a = corners[n], &b = corners[(n + 1) % corners.size()];
+    area += 0.5 * (b.x() * a.y() - a.x() * b.y());
+  }
+  return area;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<double> TrueVolumes(const TrueModel& model, int columns, int levels)
 {
   const SealingInput& input = model.Input;
@@ -85,16 +98,23 @@ std::vector<double> TrueVolumes(const TrueModel& model, int columns, int levels)
   const Eigen::Vector2d greatest = Eigen::Vector2d(input.Greatest.X, input.Greatest.Y).cwiseProduct(input.Step);
   const Eigen::Vector2d step = (greatest - least) / columns;
   std::vector<double> volumes(input.Horizons.size() + 1, 0.0);
+  const std::vector<Eigen::Vector2d> corners = input.Corners();
+  double inside = 0.0;
   for (int j = 0; j < columns; ++j)
   {
     for (int i = 0; i < columns; ++i)
     {
-      AddColumn(model, blocks, least + step.cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5)), levels, volumes);
+      const Eigen::Vector2d column = least + step.cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5));
+      if (IsInside(corners, column))
+      {
+        AddColumn(model, blocks, column, levels, volumes);
+        inside += 1.0;
+      }
     }
   }
   for (double& volume : volumes)
   {
-    volume *= step.x() * step.y();
+    volume *= AreaInWalls(model) / inside;
   }
   return volumes;
 }

@@ -62,7 +62,12 @@ void WriteModel(const TrueModel& truth, const SealedModel& model, const std::vec
   const SealingInput& input = truth.Input;
   file << "sealed 1\nbox " << input.Step.x() * input.Least.X << ' ' << input.Step.y() * input.Least.Y << ' '
        << input.Base << ' ' << input.Step.x() * input.Greatest.X << ' ' << input.Step.y() * input.Greatest.Y << ' '
-       << input.Top << "\nsurfaces " << model.Surfaces.size() << '\n';
+       << input.Top << "\noutline " << input.Corners().size() << '\n';
+  for (const Eigen::Vector2d& corner : input.Corners())
+  {
+    file << corner.x() << ' ' << corner.y() << '\n';
+  }
+  file << "surfaces " << model.Surfaces.size() << '\n';
   for (const SealedSurface& surface : model.Surfaces)
   {
     file << int(surface.Type) << ' ' << surface.Name << '\n';
@@ -149,8 +154,7 @@ Sealed Seal(const TrueModel& truth)
   {
     sealed.Off = std::max(sealed.Off, std::abs(found[layer] / volumes[layer] - 1.0));
   }
-  const double box = input.Step.x() * (input.Greatest.X - input.Least.X) * input.Step.y() *
-    (input.Greatest.Y - input.Least.Y) * (input.Top - input.Base);
+  const double box = AreaInWalls(truth) * (input.Top - input.Base);
   CHECK(std::abs(sum / box - 1.0) < 1e-12);
   CHECK(sealed.Model.LargestError <= truth.Error);
   sealed.Cutoffs = MeasureCutoffHeights(truth, sealed.Model);
