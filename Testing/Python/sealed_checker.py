@@ -122,8 +122,9 @@ def check_edges(m, whole, problems):
             fans[min(a, b), max(a, b)].append((corners[k - 1], t, a < b))
     for (start, end), fan in fans.items():
         middle = (m.V[start] + m.V[end]) / 2
-        if len(fan) == 1:
-            add(problems, ONE_TRIANGLE, middle, m.names[m.S[fan[0][1]]])
+        only = fan[0][1]
+        if len(fan) == 1 and not (m.types[m.S[only]] == FAULT and body[2 * only] == body[2 * only + 1] != -1):  # unless a fault dies out in a body
+            add(problems, ONE_TRIANGLE, middle, m.names[m.S[only]])
             continue
         fan = sort_around(whole, start, end, fan) if len(fan) > 2 else fan
         for (_, t, forward), (_, u, other) in zip(fan, fan[1:] + fan[:1]):
@@ -237,6 +238,7 @@ def check_surfaces(m, problems):
     out = (crossed.sum(-1) % 2 == 0) & ~on.any(-1) | (corners[..., 2] < m.box[0, 2] - tolerance) | (corners[..., 2] > m.box[1, 2] + tolerance)
     for kind, wrong in {
             "a horizon between wrong layers": (kinds == HORIZON) & (layers != np.stack([numbers, numbers + 1], 1)).any(1),
+            "one body on both sides": (m.sides[:, 0] == m.sides[:, 1]) & (kinds != FAULT),
             "the outside at a wrong surface": (m.sides == -1).sum(1) != (kinds >= WALL),
             "a wall that is not in the box": (kinds == WALL) & ~on.all(1).any(1) | (kinds == END) & ~ends,
             "a triangle out of the box": out.any(1)}.items():

@@ -425,38 +425,53 @@ private:
   double Column;
 };
 
-/// The block of a place farther than `margin` from its faults, or NoBlock.
-std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
-  const Eigen::Vector3d& place, double margin)
+/// The block of a pick, or NoBlock if it is not used, and another one that it counts for beyond the tips of a fault.
+struct PickBlocks
+{
+  std::int32_t Own = NoBlock;
+  std::int32_t Beside = NoBlock;
+};
+
+PickBlocks FindBlocksOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
+  const Eigen::Vector3d& place, double drop, double beyond)
 {
   std::vector<double> distances(faults.size(), NotKnown);
+  std::vector<unsigned char> isBeyondTips(faults.size(), 0);
+  PickBlocks found;
   for (std::size_t n = 0; n < blocks.size(); ++n)
   {
-    bool isIn = true;
-    for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
+    bool isIn = true, isBeside = true;
+    for (std::size_t fault = 0; fault < faults.size() && isBeside; ++fault)
     {
       const int side = blocks[n].Sides[fault];
       if (side != 0 && std::isnan(distances[fault]))
       {
-        distances[fault] = faults[fault].Plate.Distance(faults[fault].Plate.ToPlace(place));
+        const FaultPlace at = faults[fault].Plate.ToPlace(place);
+        distances[fault] = faults[fault].Plate.Distance(at);
+        isBeyondTips[fault] = faults[fault].IsBeyondTips(at) ? 1 : 0;
       }
-      isIn = side == 0 || side * distances[fault] > margin;
+      isIn = isIn && (side == 0 || side * distances[fault] > (isBeyondTips[fault] != 0 ? 0.0 : drop));
+      isBeside = side == 0 || side * distances[fault] > (isBeyondTips[fault] != 0 ? -beyond : drop);
     }
-    if (isIn)
+    if (isIn && isBeside)
     {
-      return std::int32_t(n);
+      found.Own = found.Own == NoBlock ? std::int32_t(n) : found.Own;
+    }
+    else if (isBeside)
+    {
+      found.Beside = std::int32_t(n);
     }
   }
-  return NoBlock;
+  return found;
 }
 
-/// The block of each pick, or NoBlock if it is not used.
-std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHorizon& horizon, const BlockWindow& all,
+std::vector<PickBlocks> FindBlocks(const SealingInput& input, const SealingHorizon& horizon, const BlockWindow& all,
   const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks, double drop,
   const Monitor& monitor)
 {
-  std::vector<std::int32_t> blockOf(horizon.Columns.size(), NoBlock);
-  ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
+  std::vector<PickBlocks> found(horizon.Columns.size());
+  const double beyond = Beyond * input.Step.maxCoeff();
+  ParallelFor(std::int64_t(found.size()), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
@@ -465,11 +480,11 @@ std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHor
         if (all.Contains(column) && isDropped[pick] == 0)
         {
           const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
-          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop);
+          found[pick] = FindBlocksOf(input.Faults, blocks, place, drop, beyond);
         }
       }
     });
-  return blockOf;
+  return found;
 }
 
 /// The picks of a horizon by block.
@@ -493,12 +508,15 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  const std::vector<std::int32_t> blockOf = FindBlocks(input, horizon, all, isDropped, blocks, drop, monitor);
-  for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
+  const std::vector<PickBlocks> blocksOf = FindBlocks(input, horizon, all, isDropped, blocks, drop, monitor);
+  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick)
   {
-    if (blockOf[pick] != NoBlock)
+    for (const std::int32_t block : { blocksOf[pick].Own, blocksOf[pick].Beside })
     {
-      blocks[std::size_t(blockOf[pick])].Window.Add(horizon.Columns[pick]);
+      if (block != NoBlock)
+      {
+        blocks[std::size_t(block)].Window.Add(horizon.Columns[pick]);
+      }
     }
   }
   for (BlockHeights& block : blocks)
@@ -507,15 +525,15 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
     block.Heights.assign(block.Window.Size(), NotKnown);
     block.Nodes.assign(block.Window.Size(), 0);
   }
-  for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
+  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick)
   {
     const PlanePoint& column = horizon.Columns[pick];
-    if (blockOf[pick] == NoBlock)
+    if (blocksOf[pick].Own == NoBlock)
     {
       ++(isDropped[pick] != 0 ? account.NotAgreeing : all.Contains(column) ? account.BesideFaults : account.Outside);
       continue;
     }
-    BlockHeights& block = blocks[std::size_t(blockOf[pick])];
+    BlockHeights& block = blocks[std::size_t(blocksOf[pick].Own)];
     const std::size_t node = block.Window.NodeOf(column);
     if (block.Nodes[node] != 0)
     {
@@ -527,6 +545,16 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
     ++block.Known;
     block.Nodes[node] = HasPick;
     block.Heights[node] = horizon.Heights[pick];
+  }
+  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick) // those of the block itself go first
+  {
+    if (blocksOf[pick].Beside != NoBlock)
+    {
+      BlockHeights& block = blocks[std::size_t(blocksOf[pick].Beside)];
+      const std::size_t node = block.Window.NodeOf(horizon.Columns[pick]);
+      block.Heights[node] = block.Nodes[node] == 0 ? horizon.Heights[pick] : block.Heights[node];
+      block.Nodes[node] = HasPick;
+    }
   }
   return blocks;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -117,6 +118,35 @@ std::vector<EdgeSide> SidesAround(
   std::sort(around.begin(), around.end(), [](const EdgeSide& a, const EdgeSide& b) { return a.Angle < b.Angle; });
   return around;
 }
+
+/// The body with the label around a place, by the turns of its surface around it (van Oosterom & Strackee 1983, "The solid
+/// angle of a plane triangle"). bodyOf(2 * triangle + side) gives numbers.
+template <typename BodyOf>
+std::int32_t FindBodyAt(const SealedComplex& complex, const Eigen::Vector3d& place, SealedLabel label, BodyOf&& bodyOf)
+{
+  std::map<std::int32_t, double> turns;
+  for (std::size_t n = 0; n < complex.Triangles.size(); ++n)
+  {
+    const LabelledTriangle& triangle = complex.Triangles[n];
+    std::array<Eigen::Vector3d, 3> to;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      to[corner] = complex.Vertices[std::size_t(triangle.Corners[corner])] - place;
+    }
+    const std::array<double, 3> far = { to[0].norm(), to[1].norm(), to[2].norm() };
+    const double angle = std::atan2(to[0].dot(to[1].cross(to[2])),
+      far[0] * far[1] * far[2] + to[0].dot(to[1]) * far[2] + to[1].dot(to[2]) * far[0] + to[2].dot(to[0]) * far[1]);
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      if (triangle.Labels[side] == label && bodyOf(2 * n + side) >= 0)
+      {
+        turns[bodyOf(2 * n + side)] += side == 0 ? -angle : angle;
+      }
+    }
+  }
+  return std::max_element(turns.begin(), turns.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
+    ->first;
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -204,7 +234,7 @@ ComplexBodies FindBodies(const SealedComplex& complex)
         const EdgeSide &here = around[n], &next = around[(n + 1) % around.size()];
         const SealedLabel risen = triangles[std::size_t(here.Triangle)].Labels[std::size_t(here.Rising)];
         const SealedLabel met = triangles[std::size_t(next.Triangle)].Labels[std::size_t(1 - next.Rising)];
-        if (around.size() < 2 || risen != met)
+        if (risen != met) // of one triangle, too
         {
           throw InputError("surfaces that do not close at " +
             PlaceText(complex.Vertices[std::size_t(edges[first].Key >> 32U)]) + ", expected a body on each side");
@@ -224,10 +254,18 @@ ComplexBodies FindBodies(const SealedComplex& complex)
     volumes[std::size_t(sides.Find(std::int32_t(2 * n + 1)))] += volume;
   }
   std::vector<std::int32_t> numbers(2 * triangles.size(), -1);
+  std::vector<unsigned char> isShell(2 * triangles.size(), 0); // Others are faults that touch no other surface.
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    const auto before = std::size_t(sides.Find(std::int32_t(2 * n))),
+               behind = std::size_t(sides.Find(std::int32_t(2 * n + 1)));
+    isShell[before] = isShell[before] != 0 || before != behind ? 1 : 0;
+    isShell[behind] = isShell[behind] != 0 || before != behind ? 1 : 0;
+  }
   for (std::size_t n = 0; n < 2 * triangles.size(); ++n)
   {
     const SealedLabel label = triangles[n / 2].Labels[n % 2];
-    if (sides.Find(std::int32_t(n)) != std::int32_t(n) || label == OutsideLabel)
+    if (sides.Find(std::int32_t(n)) != std::int32_t(n) || label == OutsideLabel || isShell[n] == 0)
     {
       continue;
     }
@@ -239,6 +277,16 @@ ComplexBodies FindBodies(const SealedComplex& complex)
     numbers[n] = std::int32_t(bodies.Labels.size());
     bodies.Labels.push_back(label);
     bodies.Volumes.push_back(volumes[n]);
+  }
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    const auto own = std::size_t(sides.Find(std::int32_t(2 * n)));
+    if (isShell[own] == 0 && numbers[own] < 0)
+    {
+      const Eigen::Vector3d& place = complex.Vertices[std::size_t(triangles[n].Corners[0])];
+      numbers[own] = FindBodyAt(complex, place, triangles[n].Labels[0],
+        [&](std::size_t side) { return numbers[std::size_t(sides.Find(std::int32_t(side)))]; });
+    }
   }
   for (std::size_t n = 0; n < triangles.size(); ++n)
   {

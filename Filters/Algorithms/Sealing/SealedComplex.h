@@ -29,7 +29,8 @@ struct LabelledTriangle
 {
   SheetCorners Corners;
   std::int32_t Sheet;
-  std::array<SealedLabel, 2> Labels; // before and behind
+  std::array<SealedLabel, 2> Labels; // before and behind; the same where a fault dies out in a body
+  bool IsBeyondTips = false; // of its fault
 };
 
 struct SealedComplex

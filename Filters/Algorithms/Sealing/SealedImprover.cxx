@@ -20,6 +20,7 @@ namespace
 {
 using GonePlaces = std::vector<Eigen::Vector3d>;
 
+constexpr double MostGap = 3.0; // errors
 constexpr double Short = 0.02; // columns; edges up to this length may go with their corners
 
 /// Visits heights over a triangle, until visit(how far one is above it) is false.
@@ -113,6 +114,7 @@ public:
 
   void Run(const Monitor& monitor)
   {
+    this->CloseGaps();
     constexpr std::array<double, 6> parts = { 0.05, 0.2, 0.4, 0.7, 1.0, 1.0 };
     for (std::size_t round = 0; round < parts.size(); ++round)
     {
@@ -312,6 +314,56 @@ private:
       });
   }
 
+  /// Beyond tips the sides of a horizon differ by their errors: the strips of the fault between them are closed like zips.
+  void CloseGaps()
+  {
+    std::vector<SealId> strips;
+    for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
+    {
+      if (this->Complex.Triangles[n].IsBeyondTips)
+      {
+        strips.push_back(SealId(n));
+      }
+    }
+    for (bool isNew = !strips.empty(); isNew;)
+    {
+      isNew = false;
+      for (const SealId triangle : strips)
+      {
+        isNew = (this->Triangle(triangle).Sheet >= 0 && this->CloseAt(triangle)) || isNew;
+      }
+    }
+  }
+
+  /// Joins ends of the shortest edge possible.
+  bool CloseAt(SealId triangle)
+  {
+    const SheetCorners t = this->Triangle(triangle).Corners;
+    std::array<std::array<SealId, 2>, 3> edges = { { { t[0], t[1] }, { t[1], t[2] }, { t[2], t[0] } } };
+    const auto length = [&](const std::array<SealId, 2>& edge)
+    { return (this->At(edge[1]) - this->At(edge[0])).squaredNorm(); };
+    std::sort(edges.begin(), edges.end(),
+      [&](const std::array<SealId, 2>& a, const std::array<SealId, 2>& b) { return length(a) < length(b); });
+    const double area = (this->At(t[1]) - this->At(t[0])).cross(this->At(t[2]) - this->At(t[0])).norm();
+    if (area > MostGap * this->Options.LineError * std::sqrt(length(edges[2])))
+    {
+      return false;
+    }
+    this->IsClosing = true;
+    const bool isDone = std::any_of(edges.begin(), edges.end(),
+      [&](const std::array<SealId, 2>& edge)
+      {
+        const auto join = [&](SealId vertex, SealId target)
+        {
+          return this->IsOnWallsOf(vertex, target) && this->CanJoin(vertex, target, this->NeighboursOf(vertex)) &&
+            this->Try(vertex, target);
+        };
+        return join(edge[0], edge[1]) || join(edge[1], edge[0]);
+      });
+    this->IsClosing = false;
+    return isDone;
+  }
+
   bool CanJoin(SealId vertex, SealId target, const std::vector<SealId>& neighbours) const
   {
     const std::vector<SealId> others = this->NeighboursOf(target);
@@ -332,8 +384,9 @@ private:
           continue;
         }
         common.erase(std::remove(common.begin(), common.end(), corner), common.end());
-        // The triangle becomes an edge, and two lines must not become one.
-        if (IsLine(this->KindOf(vertex, corner)) && IsLine(this->KindOf(target, corner)))
+        // The triangle becomes an edge, and two lines must not become one, but for those on both sides of a gap.
+        const bool isGap = this->IsClosing && this->Triangle(triangle).IsBeyondTips;
+        if (!isGap && IsLine(this->KindOf(vertex, corner)) && IsLine(this->KindOf(target, corner)))
         {
           return false;
         }
@@ -346,7 +399,7 @@ private:
   {
     std::vector<SealId> changed, gone;
     std::vector<SheetCorners> corners;
-    double largest = this->LargestCosine;
+    double largest = this->IsClosing ? 1.0 : this->LargestCosine;
     for (const SealId triangle : this->Around[std::size_t(vertex)])
     {
       SheetCorners t = this->Triangle(triangle).Corners;
@@ -636,6 +689,7 @@ private:
   const ImproverOptions& Options;
   double LargestCosine;
   double Part = 1.0; // of errors
+  bool IsClosing = false;
   std::vector<std::vector<SealId>> Around;
   TriangleGrid Grid;
   std::unordered_map<EdgeKey, GonePlaces> Gone; // by edge of a line, places it had

@@ -6,6 +6,7 @@
 #include "Arrangement.h"
 #include "BlockHeights.h"
 #include "BlockTree.h"
+#include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
 #include "SealedComplex.h"
 #include "SealedImprover.h"
@@ -71,6 +72,11 @@ public:
       this->AddSheet(this->HeightsOf(fault.Plate), options.FaultError, step());
     }
     this->AddWalls();
+    this->FirstRibbon = this->Sheets.size();
+    for (std::size_t fault = 0; fault < input.Faults.size(); ++fault)
+    {
+      this->AddRibbons(fault);
+    }
   }
 
   std::vector<std::pair<int, int>> Pairs() const
@@ -127,7 +133,7 @@ public:
     }
     if (sheet >= this->FirstFault)
     {
-      const FaultPlate& plate = this->PlateOf(sheet);
+      const FaultPlate& plate = this->FaultOf(sheet).Plate;
       const FaultPlace at = plate.ToPlace(place);
       return plate.Contains(at.S, at.Z) ? VertexSource::Picks : VertexSource::Continued;
     }
@@ -163,10 +169,27 @@ public:
     }
   }
 
+  bool IsBeyondTips(const SealedComplex& complex, const LabelledTriangle& triangle) const
+  {
+    const auto sheet = std::size_t(triangle.Sheet);
+    if (sheet < this->FirstFault || sheet >= this->FirstWall || triangle.Labels[0] == OutsideLabel ||
+      triangle.Labels[1] == OutsideLabel)
+    {
+      return false;
+    }
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::int32_t corner : triangle.Corners)
+    {
+      middle += complex.Vertices[std::size_t(corner)] / 3.0;
+    }
+    const SealingFault& fault = this->FaultOf(sheet);
+    return fault.IsBeyondTips(fault.Plate.ToPlace(middle));
+  }
+
   SealedLabel LabelAt(const Eigen::Vector3d& place, std::int32_t sheet, int side)
   {
     const auto own = std::size_t(sheet);
-    if (this->IsOutside(place, own, side))
+    if (own >= this->FirstRibbon || this->IsOutside(place, own, side))
     {
       return OutsideLabel;
     }
@@ -229,10 +252,39 @@ private:
     }
   }
 
+  /// Planes across a fault that cut it along its tip line, and bound nothing themselves.
+  void AddRibbons(std::size_t number)
+  {
+    const SealingFault& fault = this->Input.Faults[number];
+    const FaultPlate& plate = fault.Plate;
+    const Eigen::Vector3d across(plate.AcrossOnMap().x(), plate.AcrossOnMap().y(), 0.0);
+    constexpr int steps = 8;
+    constexpr double beyond = 0.5; // columns
+    for (std::size_t n = 0; n < fault.TipLoop.size(); ++n)
+    {
+      const Eigen::Vector2d &from = fault.TipLoop[n], way = fault.TipLoop[(n + 1) % fault.TipLoop.size()] - from;
+      std::array<double, 2> reach = { std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity() };
+      for (int step = 0; step <= steps; ++step)
+      {
+        const Eigen::Vector2d at = from + way * step / steps;
+        const double offset = plate.Offset(at.x(), at.y());
+        reach = { std::min(reach[0], offset - 2.0 * this->Column), std::max(reach[1], offset + 2.0 * this->Column) };
+      }
+      const Eigen::Vector2d margin = beyond * this->Column * way.normalized(), first = from - margin,
+                            last = from + way + margin;
+      const Eigen::Vector3d corner = plate.ToWorld({ first.x(), reach[0], first.y() });
+      const Eigen::Vector3d along = plate.ToWorld({ last.x(), reach[0], last.y() }) - corner;
+      this->Sheets.push_back(MakePlaneSheet(corner, along, (reach[1] - reach[0]) * across, along.norm()));
+      this->Shapes.push_back({ SheetHeights(), 0.0, this->Sheets.back().Axes });
+      this->FaultsOfRibbons.push_back(number);
+    }
+  }
+
   /// Just before a place of a sheet (side 0), or behind.
   bool IsOutside(const Eigen::Vector3d& place, std::size_t own, int side) const
   {
-    for (std::size_t limit = this->FirstLimit; limit < this->Sheets.size(); ++limit)
+    for (std::size_t limit = this->FirstLimit; limit < this->FirstRibbon; ++limit)
     {
       const bool isTop = limit > this->FirstLimit;
       const double above = place.z() - this->Sheets[limit].Level();
@@ -264,6 +316,14 @@ private:
 
   bool CanMeet(std::size_t a, std::size_t b) const // a < b
   {
+    if (b >= this->FirstRibbon)
+    {
+      // What meets the fault, and the other ribbons of it.
+      const std::size_t fault = this->FaultsOfRibbons[b - this->FirstRibbon];
+      const std::size_t sheet = this->SheetsOfFaults[fault];
+      return a >= this->FirstRibbon ? this->FaultsOfRibbons[a - this->FirstRibbon] == fault
+                                    : a == sheet || this->CanMeet(std::min(a, sheet), std::max(a, sheet));
+    }
     if (b >= this->FirstWall)
     {
       return a < this->FirstLimit; // Top and base do not meet.
@@ -301,10 +361,10 @@ private:
     return false;
   }
 
-  const FaultPlate& PlateOf(std::size_t sheet) const
+  const SealingFault& FaultOf(std::size_t sheet) const
   {
     const auto fault = std::find(this->SheetsOfFaults.begin(), this->SheetsOfFaults.end(), sheet);
-    return this->Input.Faults[std::size_t(fault - this->SheetsOfFaults.begin())].Plate;
+    return this->Input.Faults[std::size_t(fault - this->SheetsOfFaults.begin())];
   }
 
   std::size_t FindBlock(std::size_t horizon, const BlockSides& sides) const
@@ -323,7 +383,7 @@ private:
     }
     if (sheet >= this->FirstFault)
     {
-      const FaultPlate& plate = this->PlateOf(sheet);
+      const FaultPlate& plate = this->FaultOf(sheet).Plate;
       return plate.Distance(plate.ToPlace(place));
     }
     // Far from its block, a horizon only has to be above or below.
@@ -365,11 +425,13 @@ private:
   std::vector<Eigen::Vector2d> Corners; // of walls
   double Column;
   std::vector<BlockHeights> Blocks;
-  std::vector<Sheet> Sheets; // of blocks, faults, walls along x and y, base and top
+  std::vector<Sheet> Sheets; // of blocks, faults, walls, base and top, ribbons
   std::vector<std::size_t> SheetsOfFaults; // Parts of one fault share it.
   std::size_t FirstFault = 0;
   std::size_t FirstWall = 0;
   std::size_t FirstLimit = 0; // base and top
+  std::size_t FirstRibbon = 0;
+  std::vector<std::size_t> FaultsOfRibbons;
   std::vector<SheetLocator> Locators;
   std::map<BlockSides, std::int32_t> Numbers;
 };
@@ -395,6 +457,39 @@ SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& mon
       }
     }
   }
+}
+
+/// Beyond the tips of a fault, what is alike on both sides becomes one.
+SealedComplex OpenBeyondTips(SealedComplex complex, const ModelSheets& sheets)
+{
+  const auto layers = SealedLabel(sheets.NumberOfLayers());
+  SealedLabel most = 0;
+  for (LabelledTriangle& triangle : complex.Triangles)
+  {
+    triangle.IsBeyondTips = sheets.IsBeyondTips(complex, triangle);
+    most = std::max({ most, triangle.Labels[0], triangle.Labels[1] });
+  }
+  DisjointSets same(std::size_t(most) + 1);
+  const auto isOpen = [layers](const LabelledTriangle& triangle)
+  { return triangle.IsBeyondTips && triangle.Labels[0] % layers == triangle.Labels[1] % layers; };
+  for (const LabelledTriangle& triangle : complex.Triangles)
+  {
+    if (isOpen(triangle))
+    {
+      same.Join(triangle.Labels[0], triangle.Labels[1]);
+    }
+  }
+  complex.Triangles.erase(
+    std::remove_if(complex.Triangles.begin(), complex.Triangles.end(), isOpen), complex.Triangles.end());
+  for (LabelledTriangle& triangle : complex.Triangles)
+  {
+    for (SealedLabel& label : triangle.Labels)
+    {
+      label = label == OutsideLabel ? label : same.Find(label);
+    }
+  }
+  DropUnused(complex);
+  return complex;
 }
 
 std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
@@ -494,13 +589,19 @@ bool IsInside(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+bool SealingFault::IsBeyondTips(const FaultPlace& place) const
+{
+  return !this->TipLoop.empty() && !IsInside(this->TipLoop, { place.S, place.Z });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 SealedModel SealModel(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
 {
   ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
   const double column = input.Step.maxCoeff();
   const ImproverOptions improver = { std::min(options.MaximumError, options.FaultError), SmallestSealedAngle, column };
-  const SealedComplex complex =
-    Improve(CutAndLabel(sheets, column, monitor.Step(0.4, 0.7)), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
+  const SealedComplex complex = Improve(OpenBeyondTips(CutAndLabel(sheets, column, monitor.Step(0.4, 0.7)), sheets),
+    sheets.Shapes, improver, monitor.Step(0.7, 1.0));
   SealedModel model;
   model.Surfaces = NameSurfaces(input);
   std::transform(input.Faults.begin(), input.Faults.end(), std::back_inserter(model.FaultNames),

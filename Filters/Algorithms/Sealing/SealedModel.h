@@ -44,6 +44,10 @@ struct SealingFault
   std::optional<std::size_t> EndsBelow;
   /// This is another part of that earlier fault.
   std::optional<std::size_t> PartOf;
+  /// The fault dies out at this closed line, of S and Z of the plate; empty if it goes on up to its region and the walls.
+  std::vector<Eigen::Vector2d> TipLoop = {};
+
+  bool IsBeyondTips(const FaultPlace& place) const;
 };
 
 struct SealingHorizon

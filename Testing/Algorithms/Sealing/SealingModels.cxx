@@ -119,6 +119,7 @@ struct DesignedFault
   double Strike;
   std::vector<double> Throws; // by horizon
   std::vector<FaultSideOf> Region = {};
+  std::optional<TipEllipse> Tips = {};
 };
 
 struct Design
@@ -141,6 +142,11 @@ const std::vector<Design> Designs = {
   { "listric", {} },
   { "thin", { { 900.0, 60.0, 0.0, { 100.0, 100.0, 100.0, 100.0, 100.0, 100.0 } } } },
   { "noise", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 } } } },
+  { "tip", { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 }, {}, TipEllipse() } } },
+  { "tipreverse", { { 900.0, 60.0, 0.0, { -90.0, -90.0, -90.0 }, {}, TipEllipse() } } },
+  { "tipwall",
+    { { 900.0, 60.0, 0.0, { 90.0, 90.0, 90.0 }, {},
+      TipEllipse{ { 900.0, 0.0, -1200.0 }, Eigen::Vector2d::UnitY(), 1100.0, 450.0 } } } },
   { "outline", { { 900.0, 60.0, 25.0, { 90.0, 90.0, 90.0 } } } },
   { "unconformity", { { 900.0, 60.0, 0.0, { 0.0, 80.0, 80.0 } } } },
   { "Y",
@@ -151,6 +157,22 @@ const std::vector<Design> Designs = {
     { { 700.0, 60.0, 0.0, { 120.0, 120.0, 120.0 } }, { 1200.0, 60.0, 180.0, { 60.0, 60.0, 60.0 }, { { 0, true } } },
       { 1120.0, 60.0, 180.0, { 60.0, 60.0, 60.0 }, { { 0, false } } } } },
 };
+
+std::vector<Eigen::Vector2d> MakeTipLoop(const FaultPlate& plate, const WavyFault& shape, const TipEllipse& tips)
+{
+  std::vector<Eigen::Vector2d> loop;
+  constexpr int corners = 32;
+  for (int n = 0; n < corners; ++n)
+  {
+    const double angle = 2.0 * Pi * (n + 0.3) / corners;
+    const double z = tips.Middle.z() + tips.HalfHeight * std::sin(angle);
+    const Eigen::Vector2d along = tips.HalfLength * std::cos(angle) * tips.Along;
+    const double s = (tips.Middle.head<2>() + along - shape.Origin.head<2>()).dot(shape.Along.head<2>());
+    const FaultPlace place = plate.ToPlace(shape.OnPlane(s, (z - shape.Origin.z()) / shape.Up.z()));
+    loop.emplace_back(place.S, place.Z);
+  }
+  return loop;
+}
 
 void AddPlane(TrueModel& model, const DesignedFault& plane, double noise, Random& random)
 {
@@ -163,7 +185,12 @@ void AddPlane(TrueModel& model, const DesignedFault& plane, double noise, Random
       const double off = noise > 0.0 ? random.Normal(noise) : 0.0;
       return Eigen::Vector3d(shape.OnPlane(320.0 * stick, -275.0 * n) + off * shape.Normal);
     });
-  AddFault(model, picks, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); }).Region = plane.Region;
+  SealingFault& fault = AddFault(model, picks, [shape](const Eigen::Vector3d& place) { return shape.Distance(place); });
+  fault.Region = plane.Region;
+  if (plane.Tips)
+  {
+    fault.TipLoop = MakeTipLoop(fault.Plate, shape, *plane.Tips);
+  }
 }
 
 WavyLayers MakeDesignedLayers(const Design& design)
@@ -173,6 +200,7 @@ WavyLayers MakeDesignedLayers(const Design& design)
   for (const DesignedFault& fault : design.Faults)
   {
     layers.Throws.push_back(fault.Throws);
+    layers.Tips.push_back(fault.Tips);
   }
   if (design.Name == "flat")
   {
@@ -211,12 +239,12 @@ std::optional<Eigen::Vector3d> FindSeedPoint(const TrueModel& model, Random& ran
 }
 
 /// In the block in which its seed point lies. Picks are a grid in and around the box.
-bool AddRandomFault(TrueModel& model, Random& random)
+std::optional<WavyFault> AddRandomFault(TrueModel& model, Random& random)
 {
   const std::optional<Eigen::Vector3d> seed = FindSeedPoint(model, random);
   if (!seed)
   {
-    return false;
+    return std::nullopt;
   }
   const std::vector<int> sides = SidesAt(model, *seed);
   const double dip = random.Between(35.0, 85.0);
@@ -244,7 +272,7 @@ bool AddRandomFault(TrueModel& model, Random& random)
       fault.Region.push_back({ n, sides[n] > 0 });
     }
   }
-  return true;
+  return shape;
 }
 
 /// 1 to 4 horizons at least 60 apart; 1 in 4 faults is reverse.
@@ -271,6 +299,31 @@ WavyLayers MakeRandomLayers(std::size_t faults, Random& random)
     layers.Slope(axis) = random.Between(-0.06, 0.06);
   }
   return layers;
+}
+
+/// Half of the faults that none ends at die out.
+void AddTips(TrueModel& model, const std::vector<WavyFault>& shapes, WavyLayers& layers, Random& random)
+{
+  std::vector<SealingFault>& faults = model.Input.Faults;
+  layers.Tips.resize(faults.size());
+  for (std::size_t n = 0; n < faults.size(); ++n)
+  {
+    const bool isEnd = std::any_of(faults.begin(), faults.end(),
+      [n](const SealingFault& other)
+      {
+        return std::any_of(
+          other.Region.begin(), other.Region.end(), [n](const FaultSideOf& side) { return side.Fault == n; });
+      });
+    if (!isEnd && random.Below(2) == 0)
+    {
+      TipEllipse& tips = layers.Tips[n].emplace();
+      tips.Middle = shapes[n].Origin;
+      tips.Along = shapes[n].Along.head<2>();
+      tips.HalfLength = random.Between(300.0, 1200.0);
+      tips.HalfHeight = random.Between(200.0, 700.0);
+      faults[n].TipLoop = MakeTipLoop(faults[n].Plate, shapes[n], tips);
+    }
+  }
 }
 
 /// In 1 of 4 networks walls are a star around the middle of the box.
@@ -371,11 +424,14 @@ std::optional<TrueModel> MakeRandomNetwork(unsigned seed, int mostFaults)
   TrueModel model = MakeBox("random " + std::to_string(seed), 41, -640.0, -1960.0);
   model.Error = 2.0;
   const std::size_t faults = 1 + random.Below(std::size_t(mostFaults));
-  while (model.Distances.size() < faults && AddRandomFault(model, random))
+  std::vector<WavyFault> shapes;
+  for (std::optional<WavyFault> shape; shapes.size() < faults && (shape = AddRandomFault(model, random));)
   {
+    shapes.push_back(*shape);
   }
-  WavyLayers layers = MakeRandomLayers(model.Distances.size(), random);
+  WavyLayers layers = MakeRandomLayers(shapes.size(), random);
   AddUnconformity(model, layers, random);
+  AddTips(model, shapes, layers, random);
   AddHorizons(model, layers, PickErrors(), random);
   AddOutline(model.Input, random);
   for (const SealingHorizon& horizon : model.Input.Horizons)

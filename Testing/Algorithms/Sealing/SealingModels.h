@@ -129,6 +129,23 @@ struct WavyFault
   Eigen::Vector3d OnPlane(double s, double t) const { return this->Origin + s * this->Along + t * this->Up; }
 };
 
+/// Where a fault dies out: at an ellipse by distance along it on the map, and height.
+struct TipEllipse
+{
+  Eigen::Vector3d Middle = { 900.0, 0.5 * Length, -1200.0 };
+  Eigen::Vector2d Along = Eigen::Vector2d::UnitY();
+  double HalfLength = 600.0;
+  double HalfHeight = 450.0;
+
+  /// 1 in the middle, 0 from the ellipse on.
+  double PartAt(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3d from = place - this->Middle;
+    return std::max(0.0,
+      1.0 - std::pow(from.head<2>().dot(this->Along) / this->HalfLength, 2) - std::pow(from.z() / this->HalfHeight, 2));
+  }
+};
+
 /// Folded horizons of one form, one below the other.
 struct WavyLayers
 {
@@ -140,6 +157,7 @@ struct WavyLayers
   double Fade = 0.0; // distance from x = 900 over which throws fall to 1/e; 0 if they do not
   bool IsScissors = false; // Throws grow along y and change their sign in the middle.
   bool IsHalf = false; // Throws grow from the middle along y, and are none before.
+  std::vector<std::optional<TipEllipse>> Tips = {}; // by fault; may be shorter
 
   double Height(std::size_t n, const std::vector<int>& sides, double x, double y) const
   {
@@ -153,7 +171,9 @@ struct WavyLayers
                                          : 1.0;
     for (std::size_t fault = 0; fault < sides.size(); ++fault)
     {
-      height -= sides[fault] > 0 ? part * this->Throws[fault][n] : 0.0;
+      const double ofTip =
+        fault < this->Tips.size() && this->Tips[fault] ? this->Tips[fault]->PartAt({ x, y, this->Depths[n] }) : 1.0;
+      height -= sides[fault] > 0 ? ofTip * part * this->Throws[fault][n] : 0.0;
     }
     return height;
   }
