@@ -70,10 +70,13 @@ void CheckModelTriangles(const ClosedModel& model)
         areThere[std::size_t(body)] = 1;
       }
     }
-    if (triangle.Bodies[0] == triangle.Bodies[1])
+    constexpr int fault = 1;
+    if (triangle.Bodies[0] == triangle.Bodies[1] &&
+      (triangle.Bodies[0] < 0 || triangle.Surface >= model.Surfaces.size() ||
+        model.Surfaces[triangle.Surface].Type != fault))
     {
       throw InputError("body " + std::to_string(triangle.Bodies[0]) + " on both sides of triangle " +
-        std::to_string(n) + ", expected two bodies");
+        std::to_string(n) + ", expected two bodies but at faults that die out");
     }
   }
   const auto missing = std::find(areThere.begin(), areThere.end(), 0);

@@ -50,7 +50,7 @@ struct ModelTopology
   struct Face
   {
     std::size_t Surface;
-    std::array<int, 2> Bodies; // as those of its triangles
+    std::array<int, 2> Bodies; // as those of its triangles; the same where a fault dies out in a body
     std::vector<std::size_t> Triangles;
   };
   struct Line
@@ -69,8 +69,8 @@ struct ModelTopology
   std::vector<std::int32_t> Vertices;
 };
 
-/// Throws InputError for coordinates that are not finite, numbers out of range, a triangle with a point twice or one
-/// body on both sides, a body without triangles, and edges where bodies are open.
+/// Throws InputError for coordinates that are not finite, numbers out of range, a triangle with a point twice or, unless of
+/// a fault, one body on both sides, a body without triangles, and edges where bodies are open.
 ModelTopology FindTopology(const ClosedModel& model, const Monitor& monitor = Monitor());
 }
 

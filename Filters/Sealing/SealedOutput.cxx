@@ -180,7 +180,7 @@ Horizon WriteLines(const SealedModel& model)
     {
       surfaces.insert(topology.Faces[face].Surface);
     }
-    types.push_back(TypeOf(model, surfaces));
+    types.push_back(line.Faces.size() == 1 ? "tip" : TypeOf(model, surfaces));
     std::string name;
     for (const std::size_t surface : surfaces)
     {
@@ -283,7 +283,12 @@ ArrayTable WritePickTable(const SealedModel& model)
 std::string ReportSealed(const SealedModel& model, const std::vector<std::string>& layers)
 {
   std::ostringstream text = MakeReportStream();
-  text << model.Bodies.size() << " bodies of " << layers.size() << " layers in " << model.Blocks.size() << " blocks, "
+  std::set<std::size_t> blocks;
+  for (const SealedBody& body : model.Bodies)
+  {
+    blocks.insert(body.Block);
+  }
+  text << model.Bodies.size() << " bodies of " << layers.size() << " layers in " << blocks.size() << " blocks, "
        << model.Vertices.size() << " points, " << model.Triangles.size() << " triangles, largest error "
        << model.LargestError << "\n";
   for (std::size_t layer = 0; layer < layers.size(); ++layer)
@@ -358,8 +363,12 @@ void WriteSealed(const SealedModel& model, const ArrayTable& fields, SealedStage
   {
     const auto number = std::int32_t(body);
     std::vector<const SealedTriangle*> written;
-    const auto sideOf = [number](const SealedTriangle& triangle) {
-      return triangle.Body[1] == number ? 0 : triangle.Body[0] == number ? 1 : -1;
+    const auto sideOf = [number](const SealedTriangle& triangle)
+    {
+      return triangle.Body[0] == triangle.Body[1] ? -1 // a fault that dies out in the body
+        : triangle.Body[1] == number              ? 0
+        : triangle.Body[0] == number              ? 1
+                                                  : -1;
     };
     Horizon surface = WriteTriangles(model, sideOf, written);
     AddArray<int>(surface.CellData, CellArray::Layer, std::vector<int>(written.size(), int(model.Bodies[body].Layer)));

@@ -267,6 +267,10 @@ SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& o
   {
     throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
   }
+  if (options.EndsAtSticks)
+  {
+    EndAtTips(box, frame.Step.minCoeff(), options.EndDistance, network);
+  }
   AddFaults(network, input);
   if (options.FollowsOutline)
   {

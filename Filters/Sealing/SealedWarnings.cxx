@@ -115,6 +115,15 @@ std::vector<std::string> WarnOfSealed(const SealedModel& model, const FaultNetwo
     warnings.push_back("parts of faults left out (" + JoinTexts(network.LeftOut) +
       "), expected faults on one side of those that Endings lets them end at");
   }
+  if (!model.BeyondTips.empty())
+  {
+    std::vector<std::string> names;
+    for (const std::int32_t surface : model.BeyondTips)
+    {
+      names.push_back(model.Surfaces[std::size_t(surface)].Name);
+    }
+    warnings.push_back("faults that go on beyond their tips (" + ListFaults(names) + "), expected no throw there");
+  }
   if (!missing.empty())
   {
     warnings.push_back("faults in no surface (" + ListFaults(missing) + "), expected each to bound a body");

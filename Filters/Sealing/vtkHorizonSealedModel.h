@@ -64,6 +64,12 @@ public:
   vtkHorizonTextMacro(Unconformities);
 
   /**
+   * Where faults end that reach neither walls nor another fault within EndDistance. Through: they go on up to these. Sticks:
+   * they die out half of the distance of sticks beyond these, or at their tip loop. Default: Through.
+   */
+  vtkHorizonChoice2Macro(Tips, TipKinds, Through, Sticks);
+
+  /**
    * Where the walls are. Box: around the columns that all horizons have. Picks: along the outline of all picks in this box,
    * with few corners. Default: Box.
    */
@@ -85,6 +91,7 @@ private:
   char* Endings = nullptr;
   double EndDistance = 5.0;
   char* Unconformities = nullptr;
+  int Tips = Through;
   int Outline = Box;
 };
 

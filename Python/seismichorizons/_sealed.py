@@ -47,7 +47,7 @@ class SealedModel:
     bodies : list of Mesh
         The closed surface of each body, which faces outwards.
     lines : Lines
-        Where surfaces meet, with the kind as name: cutoff, branch, trace, outline, pinch-out or edge.
+        Where surfaces meet, with the kind as name: cutoff, branch, trace, tip, outline, pinch-out or edge.
     figures : dict of arrays
         A value for each body: layer, block, volume, area.
     areas : dict of arrays
@@ -102,7 +102,7 @@ class SealedModel:
 
 
 def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults: Any, *, endings: str = "", end_distance: float = 5.0,
-           unconformities: str = "", outline: str = "box", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
+           unconformities: str = "", tips: str = "through", outline: str = "box", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
            largest_error: float | str | None = None, progress: Progress | None = None) -> SealedModel:
     """Makes closed bodies of the layers between horizons and faults.
 
@@ -119,6 +119,8 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
         A fault that reaches less beyond another one ends there, in columns.
     unconformities : str
         Names of horizons, with semicolons between them, that faults end at from below.
+    tips : "through" or "sticks"
+        Whether faults that reach no wall or other fault go on up to these, or die out where their sticks end, as slits in bodies.
     outline : "box" or "picks"
         Where the walls are: around the columns that all horizons have, or along the outline of all picks there.
     dip, drop_distance, drop_noise : float
@@ -144,7 +146,7 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     """
     given, blocks, named = faults_of(horizons, faults, "sealed model")
     first = next(iter(given.values()), None)
-    options = given_options(endings=endings, end_distance=float(end_distance), unconformities=unconformities, outline=outline, dip=float(dip),
+    options = given_options(endings=endings, end_distance=float(end_distance), unconformities=unconformities, tips=tips, outline=outline, dip=float(dip),
                             drop_distance=float(drop_distance), drop_noise=float(drop_noise),
                             maximum_error=None if largest_error is None or first is None else height("largest_error", largest_error, first.vertical_unit))
     made = call("sealed model", _core.sealed, named, blocks, options, progress)

@@ -207,6 +207,38 @@ class SealedTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "outline 'hull', expected box or picks"):
             sealed(horizons, graben.sticks(), outline="hull")
 
+    def test_tips(self):
+        """A fault dies out at both ends of its sticks: a slit in four bodies, in place of eight."""
+        graben = Graben()
+        throw = 90.0 * np.clip(1.0 - ((graben.v - 1000.0) / 550.0) ** 2, 0.0, None)
+        horizons = {}
+        for name in DEPTHS:
+            foot = graben.foot(name, graben.u, graben.v)
+            z = np.where(graben.hanging("F1", graben.u, foot - throw), foot - throw, np.where(graben.hanging("F1", graben.u, foot), np.nan, foot))
+            horizons[name] = sh.horizon(z, origin=ORIGIN, spacing=graben.bins, azimuth=63.0, direction="up", vertical_unit="m", vertical_step=1.0, name=name)
+        z = np.linspace(-600.0, -2000.0, 8)
+        sticks = sh.Lines(["F1"] * 11, [np.column_stack((turned(700.0 - SLOPE * (z + 1200.0), np.full(8, v)), z)) for v in np.arange(500.0, 1501.0, 100.0)],
+                          direction="up", vertical_unit="m")
+        through, _ = sealed(horizons, sticks, endings="")
+        model, said = sealed(horizons, sticks, endings="", tips="sticks")
+        self.assertEqual((len(through), len(model), model.names[0]), (8, 4, "above A"))
+        layers = [sum(volume for own, volume in zip(through.figures["layer"], through.figures["volume"]) if own == layer) for layer in model.figures["layer"]]
+        np.testing.assert_allclose(model.figures["volume"], layers, rtol=0.002)
+        slit = model.triangles[model.body_above == model.body_below]
+        self.assertEqual({model.surface[n] for n in np.flatnonzero(model.body_above == model.body_below)}, {"F1"})
+        _, v = ((model.points[slit.ravel(), :2] - ORIGIN) @ np.array([[math.cos(TURN), -math.sin(TURN)], [math.sin(TURN), math.cos(TURN)]])).T
+        self.assertTrue(430.0 < v.min() < 480.0 and 1520.0 < v.max() < 1570.0, (v.min(), v.max()))
+        self.assertNotIn("beyond their tips", said)
+        self.assertIn("tip", model.lines.names)
+        for body in model.bodies:
+            edges = np.sort(np.concatenate([body.triangles[:, [0, 1]], body.triangles[:, [1, 2]], body.triangles[:, [2, 0]]]), axis=1)
+            self.assertTrue((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())
+        for ending in ("ml", "msh", "stl"):
+            FOLDER.mkdir(parents=True, exist_ok=True)
+            model.write(FOLDER / ("tips." + ending))
+        short = sh.Lines(["F1"] * 3, [line for line in sticks.lines[4:7]], direction="up", vertical_unit="m")
+        self.assertIn("faults that go on beyond their tips (F1)", sealed(horizons, short, endings="", tips="sticks")[1])
+
     def test_upright_faults(self):
         """The hanging wall is where horizons are lower."""
         graben = Graben()

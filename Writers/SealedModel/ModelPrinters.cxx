@@ -82,7 +82,8 @@ void PrintModelEntities(
     print(n, " 1 " + std::to_string(topology.Faces[n].Surface + 1), ofFaces[n]);
     for (const std::size_t side : { 0, 1 })
     {
-      if (const int body = topology.Faces[n].Bodies[side]; body >= 0)
+      const std::array<int, 2>& bodies = topology.Faces[n].Bodies;
+      if (const int body = bodies[side]; body >= 0 && body != bodies[1 - side]) // Faults in a body do not bound it.
       {
         ofBodies[std::size_t(body)].push_back(SignedNumber(n, side == 0));
       }
@@ -211,7 +212,7 @@ void PrintModelSTL(
     for (const ModelTopology::Face& face : topology.Faces)
     {
       const bool isInside = face.Bodies[0] == int(body); // The normals point into the body.
-      for (std::size_t n = 0; (isInside || face.Bodies[1] == int(body)) && n < face.Triangles.size(); ++n)
+      for (std::size_t n = 0; isInside != (face.Bodies[1] == int(body)) && n < face.Triangles.size(); ++n)
       {
         TSurf::Triangle corners = topology.Triangles[face.Triangles[n]];
         std::swap(corners[1], corners[isInside ? 2 : 1]);

@@ -17,6 +17,7 @@ namespace SeismicHorizons
 {
 namespace
 {
+constexpr double LoopTolerance = 0.25; // columns, of tip lines
 constexpr double LeastShare = 0.1; // of a fault that counts as beyond another one
 
 /// How much of a fault is on each side of another one.
@@ -59,6 +60,61 @@ std::vector<Eigen::Vector3d> PlacesOf(const FaultPlate& plate, const Eigen::Alig
 std::uint64_t KeyOfColumn(const PlanePoint& column)
 {
   return std::uint64_t(std::uint32_t(column.X)) << 32U | std::uint32_t(column.Y);
+}
+
+/// The closed line around the extent of a fault. Ends for which goesOn(place, way) holds are moved far away.
+template <typename GoesOn>
+std::vector<Eigen::Vector2d> FindTipLoop(const FaultPlate& plate, double far, GoesOn&& goesOn)
+{
+  std::array<std::vector<Eigen::Vector2d>, 2> ends; // left and right, upwards
+  for (std::size_t level = 0; level < plate.Levels(); ++level)
+  {
+    const std::array<double, 2> reach = plate.EndsAt(level);
+    for (std::size_t side = 0; side < 2 && reach[0] <= reach[1]; ++side)
+    {
+      const Eigen::Vector2d place(reach[side], plate.Height(level)), way(side == 0 ? -1.0 : 1.0, 0.0);
+      ends[side].push_back(goesOn(place, way) ? Eigen::Vector2d(place + far * way) : place);
+    }
+  }
+  for (const bool isTop : { false, true })
+  {
+    const Eigen::Vector2d left = isTop ? ends[0].back() : ends[0].front();
+    const Eigen::Vector2d right = isTop ? ends[1].back() : ends[1].front();
+    const Eigen::Vector2d middle = 0.5 * (left + right), way(0.0, isTop ? 1.0 : -1.0);
+    for (std::size_t side = 0; side < 2 && goesOn(middle, way); ++side)
+    {
+      const Eigen::Vector2d corner = (side == 0 ? left : right) + far * way;
+      ends[side].insert(isTop ? ends[side].end() : ends[side].begin(), corner);
+    }
+  }
+  std::vector<Eigen::Vector2d> loop = ends[1];
+  loop.insert(loop.end(), ends[0].rbegin(), ends[0].rend());
+  return loop;
+}
+
+/// Drops corners that are near the line between those that stay.
+std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop, double tolerance)
+{
+  std::vector<Eigen::Vector2d> kept = { loop.front() };
+  std::vector<Eigen::Vector2d> dropped;
+  for (std::size_t n = 1; n < loop.size(); ++n)
+  {
+    const Eigen::Vector2d& next = loop[(n + 1) % loop.size()];
+    const Eigen::Vector2d way = next - kept.back();
+    dropped.push_back(loop[n]);
+    const bool isNear = std::all_of(dropped.begin(), dropped.end(),
+      [&](const Eigen::Vector2d& place)
+      {
+        const Eigen::Vector2d to = place - kept.back();
+        return std::abs(way.x() * to.y() - way.y() * to.x()) <= tolerance * way.norm() && to.dot(way) >= 0.0;
+      });
+    if (!isNear)
+    {
+      kept.push_back(loop[n]);
+      dropped.clear();
+    }
+  }
+  return kept;
 }
 
 class NetworkMaker
@@ -282,6 +338,44 @@ FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::Ali
   NetworkMaker maker(plates, box, column, endDistance);
   maker.AddRules(rules);
   return maker.Make();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance, FaultNetwork& network)
+{
+  const double far = 2.0 * box.diagonal().norm();
+  for (SealingFault& fault : network.Faults)
+  {
+    const FaultPlate& plate = fault.Plate;
+    const auto isThere = [&](const Eigen::Vector2d& at)
+    {
+      const Eigen::Vector3d place = plate.At(at.x(), at.y());
+      return box.contains(place) &&
+        std::all_of(fault.Region.begin(), fault.Region.end(),
+          [&](const FaultSideOf& side)
+          {
+            const FaultPlate& other = network.Faults[side.Fault].Plate;
+            return (other.Distance(other.ToPlace(place)) > 0.0) == side.IsHanging;
+          });
+    };
+    const double base = box.min().z() - plate.Datum(), height = box.sizes().z();
+    const auto goesOn = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& way)
+    {
+      constexpr double least = 1e-3; // Above and below the box, ends are as at its top and base.
+      const double z = std::clamp(place.y(), base + least * height, base + (1.0 - least) * height);
+      return !isThere(Eigen::Vector2d(place.x(), way.y() == 0.0 ? z : place.y()) + endDistance * column * way);
+    };
+    fault.TipLoop = Straighten(FindTipLoop(plate, far, goesOn), LoopTolerance * column);
+    constexpr int steps = 256;
+    bool hasTips = false;
+    for (int n = 0; n < steps * steps && !hasTips; ++n)
+    {
+      const double s = (double(n % steps) + 0.5) / steps, z = (double(n / steps) + 0.5) / steps;
+      const Eigen::Vector2d at(plate.First() + (plate.Last() - plate.First()) * s + far * (s - 0.5), base + height * z);
+      hasTips = isThere(at) && !IsInside(fault.TipLoop, at);
+    }
+    fault.TipLoop = hasTips ? fault.TipLoop : std::vector<Eigen::Vector2d>();
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------

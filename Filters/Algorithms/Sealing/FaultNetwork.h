@@ -43,6 +43,10 @@ struct FaultNetwork
 FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double column,
   double endDistance, const std::vector<EndingRule>& rules);
 
+/// Lets faults die out at the ends of their sticks, and half of the distance of these beyond, unless walls or the faults that
+/// they end at are nearer than `endDistance` columns.
+void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance, FaultNetwork& network);
+
 /// Faults that hardly reach above one of these horizons end there. Returns how many do.
 std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
   const Eigen::AlignedBox3d& box, FaultNetwork& network);

@@ -75,7 +75,10 @@ public:
     this->FirstRibbon = this->Sheets.size();
     for (std::size_t fault = 0; fault < input.Faults.size(); ++fault)
     {
-      this->AddRibbons(fault);
+      if (!input.Faults[fault].PartOf)
+      {
+        this->AddRibbons(fault);
+      }
     }
   }
 
@@ -154,6 +157,11 @@ public:
     return block.IsGuessed ? VertexSource::OtherHorizon : VertexSource::Continued;
   }
 
+  std::int32_t NumberOf(const BlockSides& sides)
+  {
+    return this->Numbers.try_emplace(sides, std::int32_t(this->Numbers.size())).first->second;
+  }
+
   /// Labels are blocks times layers.
   std::size_t NumberOfLayers() const { return this->Input.Horizons.size() + 1; }
 
@@ -214,8 +222,7 @@ public:
     {
       ++layer;
     }
-    const auto block = this->Numbers.try_emplace(sides, std::int32_t(this->Numbers.size())).first->second;
-    return block * std::int32_t(this->NumberOfLayers()) + std::int32_t(layer);
+    return this->NumberOf(sides) * SealedLabel(this->NumberOfLayers()) + SealedLabel(layer);
   }
 
   std::vector<PickAccount> Accounts;
@@ -459,21 +466,38 @@ SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& mon
   }
 }
 
-/// Beyond the tips of a fault, what is alike on both sides becomes one.
-SealedComplex OpenBeyondTips(SealedComplex complex, const ModelSheets& sheets)
+/// Throws InputError for a place of a horizon that is not between its layers: another one crosses it between columns.
+void RequireOrder(const SealedComplex& complex, const ModelSheets& sheets, const SealingInput& input)
 {
   const auto layers = SealedLabel(sheets.NumberOfLayers());
-  SealedLabel most = 0;
+  for (const LabelledTriangle& triangle : complex.Triangles)
+  {
+    const auto surface = std::size_t(sheets.SurfaceOf(triangle.Sheet));
+    if (surface < input.Horizons.size() &&
+      (triangle.Labels[0] % layers != SealedLabel(surface) || triangle.Labels[1] % layers != SealedLabel(surface) + 1))
+    {
+      throw InputError("horizon " + input.Horizons[surface].Name + " that another one crosses at " +
+        PlaceText(complex.Vertices[std::size_t(triangle.Corners[0])]) + ", expected horizons in order");
+    }
+  }
+}
+
+/// Beyond the tips of a fault, what is alike on both sides becomes one, in a block that the fault does not bound.
+SealedComplex OpenBeyondTips(SealedComplex complex, ModelSheets& sheets)
+{
+  const auto layers = SealedLabel(sheets.NumberOfLayers());
+  std::vector<BlockSides> blocks = sheets.BlocksOfLabels(); // by label
+  std::vector<BlockSides> sides;
+  for (std::size_t label = 0; label < blocks.size() * std::size_t(layers); ++label)
+  {
+    sides.push_back(blocks[label / std::size_t(layers)]);
+  }
+  DisjointSets same(sides.size());
+  const auto isOpen = [layers](const LabelledTriangle& triangle)
+  { return triangle.IsBeyondTips && triangle.Labels[0] % layers == triangle.Labels[1] % layers; };
   for (LabelledTriangle& triangle : complex.Triangles)
   {
     triangle.IsBeyondTips = sheets.IsBeyondTips(complex, triangle);
-    most = std::max({ most, triangle.Labels[0], triangle.Labels[1] });
-  }
-  DisjointSets same(std::size_t(most) + 1);
-  const auto isOpen = [layers](const LabelledTriangle& triangle)
-  { return triangle.IsBeyondTips && triangle.Labels[0] % layers == triangle.Labels[1] % layers; };
-  for (const LabelledTriangle& triangle : complex.Triangles)
-  {
     if (isOpen(triangle))
     {
       same.Join(triangle.Labels[0], triangle.Labels[1]);
@@ -481,11 +505,20 @@ SealedComplex OpenBeyondTips(SealedComplex complex, const ModelSheets& sheets)
   }
   complex.Triangles.erase(
     std::remove_if(complex.Triangles.begin(), complex.Triangles.end(), isOpen), complex.Triangles.end());
+  for (std::size_t label = 0; label < sides.size(); ++label)
+  {
+    BlockSides& together = sides[std::size_t(same.Find(SealedLabel(label)))];
+    for (std::size_t fault = 0; fault < together.size(); ++fault)
+    {
+      together[fault] = together[fault] == blocks[label / std::size_t(layers)][fault] ? together[fault] : 0;
+    }
+  }
   for (LabelledTriangle& triangle : complex.Triangles)
   {
     for (SealedLabel& label : triangle.Labels)
     {
-      label = label == OutsideLabel ? label : same.Find(label);
+      label =
+        label == OutsideLabel ? label : sheets.NumberOf(sides[std::size_t(same.Find(label))]) * layers + label % layers;
     }
   }
   DropUnused(complex);
@@ -544,12 +577,15 @@ void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedMod
   {
     const LabelledTriangle& triangle = complex.Triangles[n];
     model.Triangles.push_back({ triangle.Corners, sheets.SurfaceOf(triangle.Sheet), bodies.OfTriangles[n] });
+    model.BeyondTips.insert(model.BeyondTips.end(), triangle.IsBeyondTips ? 1 : 0, sheets.SurfaceOf(triangle.Sheet));
     for (const std::int32_t corner : triangle.Corners)
     {
       VertexSource& source = model.Sources[std::size_t(corner)];
       source = std::max(source, sheets.SourceOf(complex.Vertices[std::size_t(corner)], std::size_t(triangle.Sheet)));
     }
   }
+  std::sort(model.BeyondTips.begin(), model.BeyondTips.end());
+  model.BeyondTips.erase(std::unique(model.BeyondTips.begin(), model.BeyondTips.end()), model.BeyondTips.end());
   std::vector<std::int32_t> order(bodies.Labels.size()), numbers(bodies.Labels.size());
   std::iota(order.begin(), order.end(), 0);
   const auto placeOf = [&](std::int32_t body)
@@ -600,8 +636,10 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
   ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
   const double column = input.Step.maxCoeff();
   const ImproverOptions improver = { std::min(options.MaximumError, options.FaultError), SmallestSealedAngle, column };
-  const SealedComplex complex = Improve(OpenBeyondTips(CutAndLabel(sheets, column, monitor.Step(0.4, 0.7)), sheets),
-    sheets.Shapes, improver, monitor.Step(0.7, 1.0));
+  SealedComplex cut = CutAndLabel(sheets, column, monitor.Step(0.4, 0.7));
+  RequireOrder(cut, sheets, input);
+  const SealedComplex complex =
+    Improve(OpenBeyondTips(std::move(cut), sheets), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
   SealedModel model;
   model.Surfaces = NameSurfaces(input);
   std::transform(input.Faults.begin(), input.Faults.end(), std::back_inserter(model.FaultNames),

@@ -124,7 +124,7 @@ struct SealedTriangle
   /// Counter-clockwise seen from above, of faults from the hanging wall, and of walls from inside.
   std::array<std::int32_t, 3> Corners;
   std::int32_t Surface;
-  /// Before and behind the triangle; -1 outside.
+  /// Before and behind the triangle; -1 outside. The same where a fault dies out in a body.
   std::array<std::int32_t, 2> Body;
 };
 
@@ -175,6 +175,7 @@ struct SealedModel
   std::vector<std::string> FaultNames; // by fault, those of parts included
   std::vector<SealedGuess> Guessed;
   std::vector<PickAccount> Accounts; // by horizon
+  std::vector<std::int32_t> BeyondTips; // surfaces of faults with a throw beyond their tips, where they go on
   double LargestError = 0.0; // of picks that are used, and not moved
   double LeastAngle = 0.0; // between triangles at edges, in degrees
   std::size_t Slivers = 0; // triangles thinner than a thousandth of a column
