@@ -192,6 +192,17 @@ SealingInput MakeInput(
   return input;
 }
 
+std::vector<FaultPlate> PlaceFaults(const CutoffModelData& cutoffs, const ModelFrame& frame)
+{
+  std::vector<FaultPlate> plates;
+  for (std::size_t fault = 0; fault < cutoffs.Faults.size(); ++fault)
+  {
+    const FaultPlate& plate = cutoffs.Faults[fault];
+    plates.push_back((cutoffs.AreTurned[fault] != 0 ? plate.Reversed() : plate).Moved(frame.ToModel));
+  }
+  return plates;
+}
+
 /// Adds the faults of the network, in its order, with the cutoffs of each.
 void AddFaults(const FaultNetwork& network, SealingInput& input)
 {
@@ -253,21 +264,15 @@ SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& o
     throw InputError("maximum error 0, expected more for a sealed model");
   }
   SealingInput input = MakeInput(horizons, cutoffs, frame, sealing.MaximumError);
-  std::vector<FaultPlate> plates;
-  for (std::size_t fault = 0; fault < cutoffs.Faults.size(); ++fault)
-  {
-    const FaultPlate& plate = cutoffs.Faults[fault];
-    plates.push_back((cutoffs.AreTurned[fault] != 0 ? plate.Reversed() : plate).Moved(frame.ToModel));
-  }
   const Eigen::AlignedBox3d box = input.Box();
-  FaultNetwork network =
-    MakeNetwork(plates, box, frame.Step.minCoeff(), options.EndDistance, ReadEndings(options.Endings));
+  FaultNetwork network = MakeNetwork(
+    PlaceFaults(cutoffs, frame), box, frame.Step.minCoeff(), options.EndDistance, ReadEndings(options.Endings));
   const std::vector<std::size_t> unconformities = ReadUnconformities(options.Unconformities, input);
   if (EndAtHorizons(unconformities, input, box, network) == 0 && !unconformities.empty())
   {
     throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
   }
-  if (options.EndsAtSticks)
+  if (!options.GoesThrough)
   {
     EndAtTips(box, frame.Step.minCoeff(), options.EndDistance, network);
   }

@@ -19,7 +19,7 @@ struct SealedStageOptions
   std::string Endings; // "minor > main", with semicolons or lines between them
   double EndDistance = 5.0; // columns
   std::string Unconformities; // names of horizons, with semicolons or lines between them
-  bool EndsAtSticks = false; // Faults die out where their sticks end.
+  bool GoesThrough = false; // Faults do not die out where their sticks end.
   bool FollowsOutline = false; // Walls are along the outline of picks, not of a box.
 };
 

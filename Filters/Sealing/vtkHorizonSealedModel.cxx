@@ -127,7 +127,7 @@ SealedStageOptions vtkHorizonSealedModel::MakeOptions() const
   options.Endings = this->Endings ? this->Endings : "";
   options.EndDistance = this->EndDistance;
   options.Unconformities = this->Unconformities ? this->Unconformities : "";
-  options.EndsAtSticks = this->Tips == Sticks;
+  options.GoesThrough = this->Tips == Through;
   options.FollowsOutline = this->Outline == Picks;
   return options;
 }

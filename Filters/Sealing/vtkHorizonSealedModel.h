@@ -64,10 +64,11 @@ public:
   vtkHorizonTextMacro(Unconformities);
 
   /**
-   * Where faults end that reach neither walls nor another fault within EndDistance. Through: they go on up to these. Sticks:
-   * they die out half of the distance of sticks beyond these, or at their tip loop. Default: Through.
+   * Where faults end. Sticks: half of the distance of sticks beyond these, or at their tip loop, unless walls, or the fault or
+   * horizon that they end at, are within EndDistance; a fault that dies out is a slit in bodies. Through: all go on up to walls
+   * and other faults. Default: Sticks.
    */
-  vtkHorizonChoice2Macro(Tips, TipKinds, Through, Sticks);
+  vtkHorizonChoice2Macro(Tips, TipKinds, Sticks, Through);
 
   /**
    * Where the walls are. Box: around the columns that all horizons have. Picks: along the outline of all picks in this box,
@@ -91,7 +92,7 @@ private:
   char* Endings = nullptr;
   double EndDistance = 5.0;
   char* Unconformities = nullptr;
-  int Tips = Through;
+  int Tips = Sticks;
   int Outline = Box;
 };
 

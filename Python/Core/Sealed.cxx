@@ -23,7 +23,7 @@ nb::tuple MakeSealedModel(
   Take(chosen, "endings", options.Endings);
   Take(chosen, "end_distance", options.EndDistance);
   Take(chosen, "unconformities", options.Unconformities);
-  TakeChoice(chosen, "tips", { "through", "sticks" }, options.EndsAtSticks);
+  TakeChoice(chosen, "tips", { "sticks", "through" }, options.GoesThrough);
   TakeChoice(chosen, "outline", { "box", "picks" }, options.FollowsOutline);
   Take(chosen, "dip", options.Cutoffs.Dip);
   Take(chosen, "drop_distance", options.Cutoffs.DropDistance);

@@ -102,7 +102,7 @@ class SealedModel:
 
 
 def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults: Any, *, endings: str = "", end_distance: float = 5.0,
-           unconformities: str = "", tips: str = "through", outline: str = "box", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
+           unconformities: str = "", tips: str = "sticks", outline: str = "box", dip: float = 0.0, drop_distance: float = 0.5, drop_noise: float = 4.0,
            largest_error: float | str | None = None, progress: Progress | None = None) -> SealedModel:
     """Makes closed bodies of the layers between horizons and faults.
 
@@ -119,8 +119,8 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
         A fault that reaches less beyond another one ends there, in columns.
     unconformities : str
         Names of horizons, with semicolons between them, that faults end at from below.
-    tips : "through" or "sticks"
-        Whether faults that reach no wall or other fault go on up to these, or die out where their sticks end, as slits in bodies.
+    tips : "sticks" or "through"
+        Whether faults that reach no wall or other fault die out where their sticks end, as slits in bodies, or go on.
     outline : "box" or "picks"
         Where the walls are: around the columns that all horizons have, or along the outline of all picks there.
     dip, drop_distance, drop_noise : float

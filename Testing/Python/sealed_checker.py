@@ -326,6 +326,8 @@ def main():
             continue
         problems, off = check(m)
         asked = tools if number % 10 == 0 else []
+        if (m.sides[:, 0] == m.sides[:, 1]).any():  # OpenGeode takes faults that die out from .ml (sealed_test.py), not from .msh
+            asked = [name for name in asked if name != "OpenGeode"]
         for name, words in [(name, run_tool(name, path)) for name in asked]:
             if words:
                 add(problems, "a model that %s refuses" % name, m.box.mean(0), words)

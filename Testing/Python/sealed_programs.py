@@ -78,5 +78,16 @@ def run_opengeode(m):
     return "" if right else "%d blocks, expected %d, %d issues: %s" % (model.nb_blocks(), len(m.layer), issues, words)
 
 
+def inspect_structure(path):
+    """The number of blocks that OpenGeode reads from a GOCAD Model3d, and of what its inspector finds."""
+    modules = list(map(importlib.import_module, ("opengeode", "opengeode_io", "opengeode_inspector", "opengeode_geosciences", "opengeode_geosciencesio")))
+    for module in modules:
+        for name in dir(module):
+            if name.endswith("Library"):
+                getattr(module, name).initialize()
+    model = modules[3].load_structural_model(str(path))
+    return model.nb_blocks(), modules[2].inspect_brep(model).nb_issues()
+
+
 TOOLS = {"TetGen": (run_tetgen, ["tetgen"]), "Gmsh": (run_gmsh, ["gmsh"]),
          "OpenGeode": (run_opengeode, ["gmsh", "opengeode", "opengeode_io", "opengeode_inspector"])}

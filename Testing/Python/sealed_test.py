@@ -5,6 +5,7 @@
 Arguments: the program horizon-mesh, and a folder for files.
 """
 
+import importlib.util
 import math
 import pathlib
 import subprocess
@@ -13,6 +14,7 @@ import unittest
 import warnings
 
 import numpy as np
+import sealed_programs
 import seismichorizons as sh
 
 PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
@@ -175,7 +177,7 @@ class SealedTest(unittest.TestCase):
         for bottom in (-2000.0, -1500.0):
             lines = [(fault, np.column_stack((foots[fault] - 0.5 * (z + 1200.0), np.full(8, y), z))) for y in np.arange(-100.0, 1700.0, 200.0)
                      for fault, z in (("F1", np.linspace(-900.0, bottom, 8)), ("F2", np.linspace(-600.0, -1450.0, 8)))]
-            model, _ = sealed(horizons, sh.Lines([fault for fault, _ in lines], [line for _, line in lines], direction="up", vertical_unit="m"), endings="", unconformities="U")
+            model, _ = sealed(horizons, sh.Lines([fault for fault, _ in lines], [line for _, line in lines], direction="up", vertical_unit="m"), endings="", unconformities="U", tips="through")
             above = {block for layer, block in zip(model.figures["layer"], model.figures["block"]) if layer == "above U"}
             self.assertEqual((len(model), above), (11, {"F2 hanging wall", "F2 footwall"}))
             volumes.append([sum(volume for own, volume in zip(model.figures["layer"], model.figures["volume"]) if own == layer) for layer in ("U to A", "A to B")])
@@ -219,8 +221,8 @@ class SealedTest(unittest.TestCase):
         z = np.linspace(-600.0, -2000.0, 8)
         sticks = sh.Lines(["F1"] * 11, [np.column_stack((turned(700.0 - SLOPE * (z + 1200.0), np.full(8, v)), z)) for v in np.arange(500.0, 1501.0, 100.0)],
                           direction="up", vertical_unit="m")
-        through, _ = sealed(horizons, sticks, endings="")
-        model, said = sealed(horizons, sticks, endings="", tips="sticks")
+        through, _ = sealed(horizons, sticks, endings="", tips="through")
+        model, said = sealed(horizons, sticks, endings="")
         self.assertEqual((len(through), len(model), model.names[0]), (8, 4, "above A"))
         layers = [sum(volume for own, volume in zip(through.figures["layer"], through.figures["volume"]) if own == layer) for layer in model.figures["layer"]]
         np.testing.assert_allclose(model.figures["volume"], layers, rtol=0.002)
@@ -236,8 +238,10 @@ class SealedTest(unittest.TestCase):
         for ending in ("ml", "msh", "stl"):
             FOLDER.mkdir(parents=True, exist_ok=True)
             model.write(FOLDER / ("tips." + ending))
+        if importlib.util.find_spec("opengeode_geosciencesio"):
+            self.assertEqual(sealed_programs.inspect_structure(FOLDER / "tips.ml"), (4, 0))
         short = sh.Lines(["F1"] * 3, [line for line in sticks.lines[4:7]], direction="up", vertical_unit="m")
-        self.assertIn("faults that go on beyond their tips (F1)", sealed(horizons, short, endings="", tips="sticks")[1])
+        self.assertIn("faults that go on beyond their tips (F1)", sealed(horizons, short, endings="")[1])
 
     def test_upright_faults(self):
         """The hanging wall is where horizons are lower."""

@@ -487,6 +487,22 @@ std::vector<PickBlocks> FindBlocks(const SealingInput& input, const SealingHoriz
   return found;
 }
 
+/// Adds heights of picks on the other side of a fault, where the block has none of its own.
+void ShareBeyondTips(
+  const SealingHorizon& horizon, const std::vector<PickBlocks>& blocksOf, std::vector<BlockHeights>& blocks)
+{
+  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick)
+  {
+    if (blocksOf[pick].Beside != NoBlock)
+    {
+      BlockHeights& block = blocks[std::size_t(blocksOf[pick].Beside)];
+      const std::size_t node = block.Window.NodeOf(horizon.Columns[pick]);
+      block.Heights[node] = block.Nodes[node] == 0 ? horizon.Heights[pick] : block.Heights[node];
+      block.Nodes[node] = HasPick;
+    }
+  }
+}
+
 /// The picks of a horizon by block.
 std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockFiller& filler,
   const BlockTree& tree, double drop, PickAccount& account, const Monitor& monitor)
@@ -546,16 +562,7 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
     block.Nodes[node] = HasPick;
     block.Heights[node] = horizon.Heights[pick];
   }
-  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick) // those of the block itself go first
-  {
-    if (blocksOf[pick].Beside != NoBlock)
-    {
-      BlockHeights& block = blocks[std::size_t(blocksOf[pick].Beside)];
-      const std::size_t node = block.Window.NodeOf(horizon.Columns[pick]);
-      block.Heights[node] = block.Nodes[node] == 0 ? horizon.Heights[pick] : block.Heights[node];
-      block.Nodes[node] = HasPick;
-    }
-  }
+  ShareBeyondTips(horizon, blocksOf, blocks);
   return blocks;
 }
 

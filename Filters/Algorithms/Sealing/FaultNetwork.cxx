@@ -363,7 +363,8 @@ void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance
     {
       constexpr double least = 1e-3; // Above and below the box, ends are as at its top and base.
       const double z = std::clamp(place.y(), base + least * height, base + (1.0 - least) * height);
-      return !isThere(Eigen::Vector2d(place.x(), way.y() == 0.0 ? z : place.y()) + endDistance * column * way);
+      return (way.y() > 0.0 && fault.EndsBelow) ||
+        !isThere(Eigen::Vector2d(place.x(), way.y() == 0.0 ? z : place.y()) + endDistance * column * way);
     };
     fault.TipLoop = Straighten(FindTipLoop(plate, far, goesOn), LoopTolerance * column);
     constexpr int steps = 256;

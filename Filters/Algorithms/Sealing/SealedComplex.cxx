@@ -119,6 +119,36 @@ std::vector<EdgeSide> SidesAround(
   return around;
 }
 
+/// By the first side of each set.
+std::vector<double> SumVolumes(const SealedComplex& complex, DisjointSets& sides)
+{
+  const std::vector<LabelledTriangle>& triangles = complex.Triangles;
+  std::vector<double> volumes(2 * triangles.size(), 0.0);
+  for (std::size_t n = 0; n < triangles.size(); ++n)
+  {
+    const SheetCorners& corners = triangles[n].Corners;
+    const Eigen::Vector3d& first = complex.Vertices[std::size_t(corners[0])];
+    const double volume = first.dot(CrossOf(complex.Vertices, corners)) / 6.0;
+    volumes[std::size_t(sides.Find(std::int32_t(2 * n)))] -= volume;
+    volumes[std::size_t(sides.Find(std::int32_t(2 * n + 1)))] += volume;
+  }
+  return volumes;
+}
+
+/// Whether sets have triangles with another set behind; others are faults that touch no other surface.
+std::vector<unsigned char> FindShells(std::size_t triangles, DisjointSets& sides)
+{
+  std::vector<unsigned char> isShell(2 * triangles, 0);
+  for (std::size_t n = 0; n < triangles; ++n)
+  {
+    const auto before = std::size_t(sides.Find(std::int32_t(2 * n))),
+               behind = std::size_t(sides.Find(std::int32_t(2 * n + 1)));
+    isShell[before] = isShell[before] != 0 || before != behind ? 1 : 0;
+    isShell[behind] = isShell[behind] != 0 || before != behind ? 1 : 0;
+  }
+  return isShell;
+}
+
 /// The body with the label around a place, by the turns of its surface around it (van Oosterom & Strackee 1983, "The solid
 /// angle of a plane triangle"). bodyOf(2 * triangle + side) gives numbers.
 template <typename BodyOf>
@@ -244,24 +274,9 @@ ComplexBodies FindBodies(const SealedComplex& complex)
         bodies.LeastAngle = std::min(bodies.LeastAngle, gap * DegreesPerRadian);
       }
     });
-  std::vector<double> volumes(2 * triangles.size(), 0.0);
-  for (std::size_t n = 0; n < triangles.size(); ++n)
-  {
-    const SheetCorners& corners = triangles[n].Corners;
-    const Eigen::Vector3d& first = complex.Vertices[std::size_t(corners[0])];
-    const double volume = first.dot(CrossOf(complex.Vertices, corners)) / 6.0;
-    volumes[std::size_t(sides.Find(std::int32_t(2 * n)))] -= volume;
-    volumes[std::size_t(sides.Find(std::int32_t(2 * n + 1)))] += volume;
-  }
+  const std::vector<double> volumes = SumVolumes(complex, sides);
+  const std::vector<unsigned char> isShell = FindShells(triangles.size(), sides);
   std::vector<std::int32_t> numbers(2 * triangles.size(), -1);
-  std::vector<unsigned char> isShell(2 * triangles.size(), 0); // Others are faults that touch no other surface.
-  for (std::size_t n = 0; n < triangles.size(); ++n)
-  {
-    const auto before = std::size_t(sides.Find(std::int32_t(2 * n))),
-               behind = std::size_t(sides.Find(std::int32_t(2 * n + 1)));
-    isShell[before] = isShell[before] != 0 || before != behind ? 1 : 0;
-    isShell[behind] = isShell[behind] != 0 || before != behind ? 1 : 0;
-  }
   for (std::size_t n = 0; n < 2 * triangles.size(); ++n)
   {
     const SealedLabel label = triangles[n / 2].Labels[n % 2];

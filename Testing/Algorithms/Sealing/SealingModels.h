@@ -185,6 +185,12 @@ struct PickErrors
   double WrongSide = 0.0; // distance beyond faults up to which half of the columns have picks
 };
 
+/// Once all faults are there.
+void AddHorizons(TrueModel& model, const WavyLayers& layers, const PickErrors& errors, Random& random);
+SealingFault& AddFault(TrueModel& model, FaultPicks picks, FaultDistance distance);
+/// Of S and Z of the plate.
+std::vector<Eigen::Vector2d> MakeTipLoop(const FaultPlate& plate, const WavyFault& shape, const TipEllipse& tips);
+
 /// Without horizons and faults.
 inline TrueModel MakeBox(const std::string& name, int columns, double top, double base)
 {
