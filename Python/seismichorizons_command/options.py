@@ -151,6 +151,12 @@ def add_preparation_options(group):
                        "the model for GOCAD (ml), Gmsh (msh) and VTK (vtp), and tables (csv)")
     group.add_argument("--fault-endings", default=NOT_GIVEN, metavar="TEXT", help='which fault ends at which in --sealed, as '
                        '"F2 > F1; F3 > F1" (default: chosen, with a warning)')
+    group.add_argument("--fault-tips", choices=("Sticks", "Through"), default=NOT_GIVEN, help="whether faults of --sealed die out where "
+                       "their sticks end, or go on up to walls and other faults (default: Sticks)")
+    group.add_argument("--unconformities", action=AddToList, default=NOT_GIVEN, metavar="NAMES", help="horizons of --sealed that faults "
+                       "end at from below (default: none)")
+    group.add_argument("--walls", choices=("Box", "Picks"), default=NOT_GIVEN, help="whether walls of --sealed are a box, or along the "
+                       "outline of picks (default: Box)")
     group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
                        "1 in the array Fault")
     group.add_argument("--fill-holes", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="fill holes of at "

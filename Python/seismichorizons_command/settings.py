@@ -92,13 +92,16 @@ def make_settings(options):
     for name, is_given in (("fault-formats", settings.fault_formats), ("cutoffs", hasattr(options, "cutoffs")), ("sealed", hasattr(options, "sealed"))):
         if is_given and settings.torn is None:
             raise HorizonError("--%s without faults, expected --cut-faults, --fault-lines or --fault-sticks" % name)
-    for name, needed in (("fault_dip", ("cutoffs", "sealed")), ("fault_endings", ("sealed",))):
+    of_sealed = ("fault_endings", "fault_tips", "unconformities", "walls")
+    for name, needed in (("fault_dip", ("cutoffs", "sealed")), *((name, ("sealed",)) for name in of_sealed)):
         if hasattr(options, name) and not any(hasattr(options, other) for other in needed):
             raise HorizonError("--%s without %s, expected both" % (name.replace("_", "-"), " or ".join("--" + other for other in needed)))
     if hasattr(options, "cutoffs"):
         settings.cutoffs = given(options, Dip="fault_dip")
     if hasattr(options, "sealed"):
-        settings.sealed = {**_error(options), **given(options, Dip="fault_dip", Endings="fault_endings")}
+        settings.sealed = {**_error(options), **given(options, "Unconformities", Dip="fault_dip", Endings="fault_endings", Tips="fault_tips", Outline="walls")}
+        if hasattr(options, "unconformities"):
+            settings.sealed["Unconformities"] = "; ".join(options.unconformities)
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None
     settings.boundary = given(options, "GrowthStrategy", "MinimumPatchSize", "Radius", "SmallestHoleSize", "KeepHoles")
     settings.simplified = {

@@ -305,6 +305,12 @@ class SealedTest(unittest.TestCase):
             model.write(FOLDER / ("model." + ending))
             self.assertGreater((FOLDER / ("model." + ending)).stat().st_size, 10000)
         self.assertEqual((FOLDER / "model.ml").read_text().count("REGION "), (FOLDER / "out" / "stack_sealed.ml").read_text().count("REGION "))
+        words = ["--sealed", "--fault-sticks", "sticks.dat", "--vertical-unit", "m", "--vertical-direction", "Up", "--output-folder", "walls", "--no-pictures",
+                 "--walls", "Picks", "--fault-tips", "Through", "A.dat", "B.dat", "C.dat"]
+        subprocess.run([sys.executable, PROGRAM, *words], cwd=FOLDER, check=True, capture_output=True)
+        self.assertIn("TSURF Wall 4", (FOLDER / "walls" / "stack_sealed.ml").read_text().replace("_", " "))
+        done = subprocess.run([sys.executable, PROGRAM, *words, "--unconformities", "D"], cwd=FOLDER, capture_output=True, text=True)
+        self.assertIn("unconformity D, expected the name of a horizon", done.stderr)
         with self.assertRaisesRegex(ValueError, "extension"):
             model.write(FOLDER / "model.obj")
 
