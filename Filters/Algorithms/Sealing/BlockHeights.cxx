@@ -88,13 +88,30 @@ public:
       (this->Input.Outline.empty() || SeismicHorizons::IsInside(this->Corners, this->PlaceOf(column, 0.0).head<2>()));
   }
 
-  /// Continues the picks of a block over it, in a window that grows until it holds the block.
-  void Fill(BlockHeights& block, const Monitor& monitor) const
+  /// Blocks of a horizon: all at once, or in turn where they may follow each other.
+  void FillAll(std::vector<BlockHeights>& blocks, const Monitor& monitor) const
   {
-    for (std::int32_t around = FirstWidening; !this->FillWindow(block, monitor); around *= 4)
-    {
-      this->Widen(block, around);
-    }
+    const auto size = std::int64_t(blocks.size());
+    const bool inTurn = std::any_of(this->Input.Faults.begin(), this->Input.Faults.end(),
+      [](const SealingFault& fault) { return !fault.TipLoop.empty(); });
+    ParallelFor(size, inTurn ? size : 1, monitor,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (auto n = std::size_t(first); n < std::size_t(last); ++n)
+        {
+          std::vector<const BlockHeights*> others;
+          for (std::size_t other = 0; other < n && inTurn; ++other)
+          {
+            const bool isOne = !blocks[other].IsGuessed && this->AreOneBeyondTips(blocks[other], blocks[n]);
+            others.insert(others.end(), isOne ? 1 : 0, &blocks[other]);
+          }
+          blocks[n].IsGuessed = blocks[n].Known < FewestOfBlock;
+          if (!blocks[n].IsGuessed)
+          {
+            this->Fill(others, blocks[n], Monitor());
+          }
+        }
+      });
   }
 
   /// Keeps horizons of a block at a distance in which their meshes cannot meet, where the lower one gives way. Then finds the
@@ -125,6 +142,39 @@ public:
 private:
   static constexpr std::int32_t Margin = 4; // columns around the box
 
+  /// Continues the picks of a block over it, in a window that grows until it holds the block. Beyond the tips of a fault it
+  /// follows blocks on the other side that are continued already, since they are one there.
+  void Fill(const std::vector<const BlockHeights*>& others, BlockHeights& block, const Monitor& monitor) const
+  {
+    for (std::int32_t around = FirstWidening;; around *= 4)
+    {
+      for (const BlockHeights* const other : others)
+      {
+        this->Share(*other, block);
+      }
+      if (this->FillWindow(block, monitor))
+      {
+        return;
+      }
+      this->Widen(block, around);
+    }
+  }
+
+  /// Whether faults between two blocks die out.
+  bool AreOneBeyondTips(const BlockHeights& a, const BlockHeights& b) const
+  {
+    bool isBetween = false;
+    for (std::size_t fault = 0; fault < a.Sides.size(); ++fault)
+    {
+      isBetween = isBetween || a.Sides[fault] * b.Sides[fault] < 0;
+      if (a.Sides[fault] * b.Sides[fault] < 0 && this->Input.Faults[fault].TipLoop.empty())
+      {
+        return false;
+      }
+    }
+    return isBetween;
+  }
+
   Eigen::Vector3d PlaceOf(const PlanePoint& column, double height) const
   {
     return { this->Input.Step.x() * column.X, this->Input.Step.y() * column.Y, height };
@@ -143,6 +193,33 @@ private:
       }
     }
     return true;
+  }
+
+  /// Takes heights of another block behind the faults between both, beyond their tips.
+  void Share(const BlockHeights& other, BlockHeights& block) const
+  {
+    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
+    {
+      const PlanePoint column = block.Window.ColumnOf(node);
+      if (block.Nodes[node] != 0 || !other.Window.Contains(column))
+      {
+        continue;
+      }
+      const double height = other.HeightNear(column);
+      const Eigen::Vector3d place = this->PlaceOf(column, height);
+      bool isBeside = true;
+      for (std::size_t fault = 0; fault < block.Sides.size() && isBeside; ++fault)
+      {
+        const SealingFault& own = this->Input.Faults[fault];
+        const FaultPlace at = own.Plate.ToPlace(place);
+        const double distance = own.Plate.Distance(at);
+        isBeside = block.Sides[fault] * other.Sides[fault] < 0
+          ? own.IsBeyondTips(at) && other.Sides[fault] * distance > 0.0 && std::abs(distance) <= Beyond * this->Column
+          : block.Sides[fault] * distance >= 0.0 && other.Sides[fault] * distance >= 0.0;
+      }
+      block.Nodes[node] = isBeside ? IsShared : 0;
+      block.Heights[node] = isBeside ? height : block.Heights[node];
+    }
   }
 
   bool IsInBox(const BlockHeights& block, std::size_t node) const
@@ -203,7 +280,7 @@ private:
     std::vector<double> known(block.Heights.size(), NotKnown);
     for (std::size_t node = 0; node < known.size(); ++node)
     {
-      known[node] = (block.Nodes[node] & HasPick) != 0 ? block.Heights[node] : NotKnown;
+      known[node] = (block.Nodes[node] & (HasPick | IsShared)) != 0 ? block.Heights[node] : NotKnown;
     }
     std::vector<double> heights = known;
     std::vector<std::size_t> sites;
@@ -650,18 +727,7 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +
         " picks in any block, expected more");
     }
-    ParallelFor(std::int64_t(own.size()), 1, part.Step(0.3, 1.0),
-      [&](std::int64_t first, std::int64_t last)
-      {
-        for (auto n = std::size_t(first); n < std::size_t(last); ++n)
-        {
-          own[n].IsGuessed = own[n].Known < FewestOfBlock;
-          if (!own[n].IsGuessed)
-          {
-            filler.Fill(own[n], Monitor());
-          }
-        }
-      });
+    filler.FillAll(own, part.Step(0.3, 1.0));
     std::move(own.begin(), own.end(), std::back_inserter(blocks));
   }
   for (BlockHeights& block : blocks)

@@ -50,7 +50,8 @@ struct BlockWindow : PlaneBox
 enum BlockNode : unsigned char // flags
 {
   HasPick = 1, // that is used
-  IsMeshed = 2 // in the block, or a few columns around
+  IsMeshed = 2, // in the block, or a few columns around
+  IsShared = 4 // continued in another block, beyond the tips of a fault
 };
 
 struct BlockHeights
