@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace SeismicHorizons
@@ -22,6 +23,9 @@ constexpr std::int32_t NoBlock = -1;
 constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
 constexpr int Around = 4; // columns kept around a block
 constexpr double LeastApart = 2.5; // errors, between horizons of a block
+constexpr double LeastStep = 3.0; // errors, of a fault beyond its tips
+constexpr std::size_t FewestSteps = 6; // places of one
+constexpr double BeyondSteps = 5.0; // columns that it goes on
 constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
 constexpr double LeastNew = 0.01; // of the nodes of a continuation, for another one
 constexpr int Rim = 6; // columns of picks that the continuation follows
@@ -70,6 +74,18 @@ void ForEachBeside(const BlockWindow& window, std::size_t node, Visitor&& visit)
   }
 }
 
+double DistanceToLine(const std::vector<Eigen::Vector2d>& loop, const Eigen::Vector2d& place)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < loop.size(); ++n)
+  {
+    const Eigen::Vector2d way = loop[(n + 1) % loop.size()] - loop[n], to = place - loop[n];
+    const double part = std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (to - part * way).norm());
+  }
+  return least;
+}
+
 class BlockFiller
 {
 public:
@@ -88,30 +104,57 @@ public:
       (this->Input.Outline.empty() || SeismicHorizons::IsInside(this->Corners, this->PlaceOf(column, 0.0).head<2>()));
   }
 
-  /// Blocks of a horizon: all at once, or in turn where they may follow each other.
+  /// Continues the picks of the blocks of a horizon over them.
   void FillAll(std::vector<BlockHeights>& blocks, const Monitor& monitor) const
   {
-    const auto size = std::int64_t(blocks.size());
-    const bool inTurn = std::any_of(this->Input.Faults.begin(), this->Input.Faults.end(),
-      [](const SealingFault& fault) { return !fault.TipLoop.empty(); });
-    ParallelFor(size, inTurn ? size : 1, monitor,
+    ParallelFor(std::int64_t(blocks.size()), 1, monitor,
       [&](std::int64_t first, std::int64_t last)
       {
         for (auto n = std::size_t(first); n < std::size_t(last); ++n)
         {
-          std::vector<const BlockHeights*> others;
-          for (std::size_t other = 0; other < n && inTurn; ++other)
-          {
-            const bool isOne = !blocks[other].IsGuessed && this->AreOneBeyondTips(blocks[other], blocks[n]);
-            others.insert(others.end(), isOne ? 1 : 0, &blocks[other]);
-          }
           blocks[n].IsGuessed = blocks[n].Known < FewestOfBlock;
           if (!blocks[n].IsGuessed)
           {
-            this->Fill(others, blocks[n], Monitor());
+            this->Fill({}, 0.0, blocks[n], Monitor());
           }
         }
       });
+  }
+
+  /// Places beyond the tips of a fault where picks on its sides step by more than `apart`, by fault: S and Z.
+  void FindSteps(
+    const std::vector<BlockHeights>& blocks, double apart, std::vector<std::vector<Eigen::Vector2d>>& steps) const
+  {
+    for (std::size_t n = 0; n < blocks.size(); ++n)
+    {
+      for (std::size_t other = 0; other < n; ++other)
+      {
+        const std::optional<std::size_t> fault = this->FaultBetween(blocks[other], blocks[n]);
+        if (fault)
+        {
+          this->AddSteps(
+            blocks[other], blocks[n], *fault, apart, steps[this->Input.Faults[*fault].PartOf.value_or(*fault)]);
+        }
+      }
+    }
+  }
+
+  /// Beyond the tips of a fault its sides are one: later blocks follow earlier ones where they agree or have no picks.
+  void Join(double apart, std::vector<BlockHeights>& blocks, const Monitor& monitor) const
+  {
+    for (std::size_t n = 0; n < blocks.size(); ++n)
+    {
+      monitor.Progress(double(n) / double(blocks.size()));
+      std::vector<const BlockHeights*> others;
+      for (std::size_t other = 0; other < n; ++other)
+      {
+        others.insert(others.end(), this->FaultBetween(blocks[other], blocks[n]) ? 1 : 0, &blocks[other]);
+      }
+      if (!others.empty())
+      {
+        this->Fill(others, apart, blocks[n], Monitor());
+      }
+    }
   }
 
   /// Keeps horizons of a block at a distance in which their meshes cannot meet, where the lower one gives way. Then finds the
@@ -142,15 +185,15 @@ public:
 private:
   static constexpr std::int32_t Margin = 4; // columns around the box
 
-  /// Continues the picks of a block over it, in a window that grows until it holds the block. Beyond the tips of a fault it
-  /// follows blocks on the other side that are continued already, since they are one there.
-  void Fill(const std::vector<const BlockHeights*>& others, BlockHeights& block, const Monitor& monitor) const
+  /// Continues the picks of a block over it, in a window that grows until it holds the block.
+  void Fill(
+    const std::vector<const BlockHeights*>& others, double apart, BlockHeights& block, const Monitor& monitor) const
   {
     for (std::int32_t around = FirstWidening;; around *= 4)
     {
       for (const BlockHeights* const other : others)
       {
-        this->Share(*other, block);
+        this->Share(*other, *this->FaultBetween(*other, block), apart, block);
       }
       if (this->FillWindow(block, monitor))
       {
@@ -160,19 +203,22 @@ private:
     }
   }
 
-  /// Whether faults between two blocks die out.
-  bool AreOneBeyondTips(const BlockHeights& a, const BlockHeights& b) const
+  /// The only fault between two blocks of a horizon with picks, if it dies out.
+  std::optional<std::size_t> FaultBetween(const BlockHeights& a, const BlockHeights& b) const
   {
-    bool isBetween = false;
+    std::optional<std::size_t> between;
     for (std::size_t fault = 0; fault < a.Sides.size(); ++fault)
     {
-      isBetween = isBetween || a.Sides[fault] * b.Sides[fault] < 0;
-      if (a.Sides[fault] * b.Sides[fault] < 0 && this->Input.Faults[fault].TipLoop.empty())
+      if (a.Sides[fault] * b.Sides[fault] < 0)
       {
-        return false;
+        if (between || this->Input.Faults[fault].TipLoop.empty())
+        {
+          return std::nullopt;
+        }
+        between = fault;
       }
     }
-    return isBetween;
+    return a.Horizon == b.Horizon && !a.IsGuessed && !b.IsGuessed ? between : std::nullopt;
   }
 
   Eigen::Vector3d PlaceOf(const PlanePoint& column, double height) const
@@ -195,8 +241,71 @@ private:
     return true;
   }
 
-  /// Takes heights of another block behind the faults between both, beyond their tips.
-  void Share(const BlockHeights& other, BlockHeights& block) const
+  /// Where a place is on the fault between two blocks, if it is up to `most` behind it for the first one, beyond its tips, and
+  /// on their side of all others.
+  std::optional<FaultPlace> FindBehind(const BlockHeights& block, const BlockHeights& other, std::size_t between,
+    const Eigen::Vector3d& place, double most) const
+  {
+    const SealingFault& fault = this->Input.Faults[between];
+    const FaultPlace at = fault.Plate.ToPlace(place);
+    const double behind = other.Sides[between] * fault.Plate.Distance(at);
+    bool isThere = behind > 0.0 && behind <= most && fault.IsBeyondTips(at);
+    for (std::size_t n = 0; n < block.Sides.size() && isThere; ++n)
+    {
+      const FaultPlate& plate = this->Input.Faults[n].Plate;
+      if (n != between && (block.Sides[n] != 0 || other.Sides[n] != 0))
+      {
+        const double distance = plate.Distance(plate.ToPlace(place));
+        isThere = block.Sides[n] * distance >= 0.0 && other.Sides[n] * distance >= 0.0;
+      }
+    }
+    return isThere ? std::optional<FaultPlace>(at) : std::nullopt;
+  }
+
+  bool HasPicksNear(const BlockHeights& block, const PlanePoint& column, std::int32_t columns) const
+  {
+    BlockWindow around;
+    around.Add(column);
+    around = around.Grown(columns, this->All);
+    for (PlanePoint at = around.Least; at.Y <= around.Greatest.Y; ++at.Y)
+    {
+      for (at.X = around.Least.X; at.X <= around.Greatest.X; ++at.X)
+      {
+        if (block.Has(at, HasPick))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  void AddSteps(const BlockHeights& a, const BlockHeights& b, std::size_t between, double apart,
+    std::vector<Eigen::Vector2d>& steps) const
+  {
+    constexpr double beside = 1.0, beyond = 2.0; // columns, of the fault and its tips
+    constexpr std::int32_t near = 3; // columns
+    for (std::size_t node = 0; node < a.Nodes.size(); ++node)
+    {
+      const PlanePoint column = a.Window.ColumnOf(node);
+      const double height = b.HeightNear(column);
+      if (!b.Window.Contains(column) || std::abs(a.Heights[node] - height) <= apart)
+      {
+        continue;
+      }
+      const std::optional<FaultPlace> at =
+        this->FindBehind(a, b, between, this->PlaceOf(column, height), beside * this->Column);
+      if (at && this->HasPicksNear(a, column, near) && this->HasPicksNear(b, column, near) &&
+        DistanceToLine(this->Input.Faults[between].TipLoop, { at->S, at->Z }) > beyond * this->Column)
+      {
+        steps.emplace_back(at->S, at->Z);
+        steps.emplace_back(at->S, at->Z + a.Heights[node] - height);
+      }
+    }
+  }
+
+  /// Takes heights of another block behind the fault between both, beyond its tips.
+  void Share(const BlockHeights& other, std::size_t between, double apart, BlockHeights& block) const
   {
     for (std::size_t node = 0; node < block.Nodes.size(); ++node)
     {
@@ -206,19 +315,14 @@ private:
         continue;
       }
       const double height = other.HeightNear(column);
-      const Eigen::Vector3d place = this->PlaceOf(column, height);
-      bool isBeside = true;
-      for (std::size_t fault = 0; fault < block.Sides.size() && isBeside; ++fault)
+      const bool isBehind =
+        this->FindBehind(block, other, between, this->PlaceOf(column, height), Beyond * this->Column).has_value();
+      if (isBehind &&
+        (std::abs(height - block.Heights[node]) <= apart || !this->HasPicksNear(block, column, 2 * int(Beyond))))
       {
-        const SealingFault& own = this->Input.Faults[fault];
-        const FaultPlace at = own.Plate.ToPlace(place);
-        const double distance = own.Plate.Distance(at);
-        isBeside = block.Sides[fault] * other.Sides[fault] < 0
-          ? own.IsBeyondTips(at) && other.Sides[fault] * distance > 0.0 && std::abs(distance) <= Beyond * this->Column
-          : block.Sides[fault] * distance >= 0.0 && other.Sides[fault] * distance >= 0.0;
+        block.Nodes[node] = IsShared;
+        block.Heights[node] = height;
       }
-      block.Nodes[node] = isBeside ? IsShared : 0;
-      block.Heights[node] = isBeside ? height : block.Heights[node];
     }
   }
 
@@ -502,53 +606,41 @@ private:
   double Column;
 };
 
-/// The block of a pick, or NoBlock if it is not used, and another one that it counts for beyond the tips of a fault.
-struct PickBlocks
-{
-  std::int32_t Own = NoBlock;
-  std::int32_t Beside = NoBlock;
-};
-
-PickBlocks FindBlocksOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
-  const Eigen::Vector3d& place, double drop, double beyond)
+/// The block of a place farther than `margin` from its faults, or NoBlock. Beyond tips there is no fault.
+std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
+  const Eigen::Vector3d& place, double margin)
 {
   std::vector<double> distances(faults.size(), NotKnown);
-  std::vector<unsigned char> isBeyondTips(faults.size(), 0);
-  PickBlocks found;
   for (std::size_t n = 0; n < blocks.size(); ++n)
   {
-    bool isIn = true, isBeside = true;
-    for (std::size_t fault = 0; fault < faults.size() && isBeside; ++fault)
+    bool isIn = true;
+    for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
     {
       const int side = blocks[n].Sides[fault];
       if (side != 0 && std::isnan(distances[fault]))
       {
         const FaultPlace at = faults[fault].Plate.ToPlace(place);
-        distances[fault] = faults[fault].Plate.Distance(at);
-        isBeyondTips[fault] = faults[fault].IsBeyondTips(at) ? 1 : 0;
+        const double distance = faults[fault].Plate.Distance(at);
+        const bool isNear = std::abs(distance) <= margin && !faults[fault].IsBeyondTips(at);
+        distances[fault] = isNear ? 0.0 : distance;
       }
-      isIn = isIn && (side == 0 || side * distances[fault] > (isBeyondTips[fault] != 0 ? 0.0 : drop));
-      isBeside = side == 0 || side * distances[fault] > (isBeyondTips[fault] != 0 ? -beyond : drop);
+      isIn = side == 0 || side * distances[fault] > 0.0;
     }
-    if (isIn && isBeside)
+    if (isIn)
     {
-      found.Own = found.Own == NoBlock ? std::int32_t(n) : found.Own;
-    }
-    else if (isBeside)
-    {
-      found.Beside = std::int32_t(n);
+      return std::int32_t(n);
     }
   }
-  return found;
+  return NoBlock;
 }
 
-std::vector<PickBlocks> FindBlocks(const SealingInput& input, const SealingHorizon& horizon, const BlockWindow& all,
+/// The block of each pick, or NoBlock if it is not used.
+std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHorizon& horizon, const BlockWindow& all,
   const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks, double drop,
   const Monitor& monitor)
 {
-  std::vector<PickBlocks> found(horizon.Columns.size());
-  const double beyond = Beyond * input.Step.maxCoeff();
-  ParallelFor(std::int64_t(found.size()), Grain, monitor,
+  std::vector<std::int32_t> blockOf(horizon.Columns.size(), NoBlock);
+  ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
@@ -557,27 +649,11 @@ std::vector<PickBlocks> FindBlocks(const SealingInput& input, const SealingHoriz
         if (all.Contains(column) && isDropped[pick] == 0)
         {
           const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
-          found[pick] = FindBlocksOf(input.Faults, blocks, place, drop, beyond);
+          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop);
         }
       }
     });
-  return found;
-}
-
-/// Adds heights of picks on the other side of a fault, where the block has none of its own.
-void ShareBeyondTips(
-  const SealingHorizon& horizon, const std::vector<PickBlocks>& blocksOf, std::vector<BlockHeights>& blocks)
-{
-  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick)
-  {
-    if (blocksOf[pick].Beside != NoBlock)
-    {
-      BlockHeights& block = blocks[std::size_t(blocksOf[pick].Beside)];
-      const std::size_t node = block.Window.NodeOf(horizon.Columns[pick]);
-      block.Heights[node] = block.Nodes[node] == 0 ? horizon.Heights[pick] : block.Heights[node];
-      block.Nodes[node] = HasPick;
-    }
-  }
+  return blockOf;
 }
 
 /// The picks of a horizon by block.
@@ -601,15 +677,12 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  const std::vector<PickBlocks> blocksOf = FindBlocks(input, horizon, all, isDropped, blocks, drop, monitor);
-  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick)
+  const std::vector<std::int32_t> blockOf = FindBlocks(input, horizon, all, isDropped, blocks, drop, monitor);
+  for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
-    for (const std::int32_t block : { blocksOf[pick].Own, blocksOf[pick].Beside })
+    if (blockOf[pick] != NoBlock)
     {
-      if (block != NoBlock)
-      {
-        blocks[std::size_t(block)].Window.Add(horizon.Columns[pick]);
-      }
+      blocks[std::size_t(blockOf[pick])].Window.Add(horizon.Columns[pick]);
     }
   }
   for (BlockHeights& block : blocks)
@@ -618,15 +691,15 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
     block.Heights.assign(block.Window.Size(), NotKnown);
     block.Nodes.assign(block.Window.Size(), 0);
   }
-  for (std::size_t pick = 0; pick < blocksOf.size(); ++pick)
+  for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
     const PlanePoint& column = horizon.Columns[pick];
-    if (blocksOf[pick].Own == NoBlock)
+    if (blockOf[pick] == NoBlock)
     {
       ++(isDropped[pick] != 0 ? account.NotAgreeing : all.Contains(column) ? account.BesideFaults : account.Outside);
       continue;
     }
-    BlockHeights& block = blocks[std::size_t(blocksOf[pick].Own)];
+    BlockHeights& block = blocks[std::size_t(blockOf[pick])];
     const std::size_t node = block.Window.NodeOf(column);
     if (block.Nodes[node] != 0)
     {
@@ -639,7 +712,6 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
     block.Nodes[node] = HasPick;
     block.Heights[node] = horizon.Heights[pick];
   }
-  ShareBeyondTips(horizon, blocksOf, blocks);
   return blocks;
 }
 
@@ -705,10 +777,70 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
     }
   }
 }
+
+/// Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions".
+std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
+{
+  std::sort(places.begin(), places.end(),
+    [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::vector<Eigen::Vector2d> hull;
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    const std::size_t first = hull.size();
+    for (const Eigen::Vector2d& place : places)
+    {
+      const auto turnsRight = [&]()
+      {
+        const Eigen::Vector2d a = hull.back() - hull[hull.size() - 2], b = place - hull.back();
+        return a.x() * b.y() - a.y() * b.x() <= 0.0;
+      };
+      while (hull.size() >= first + 2 && turnsRight())
+      {
+        hull.pop_back();
+      }
+      hull.push_back(place);
+    }
+    hull.pop_back(); // It begins the other half.
+    std::reverse(places.begin(), places.end());
+  }
+  return hull;
+}
+
+/// Tip loops around places where picks step, and some columns beyond.
+void GrowTipLoops(
+  const std::vector<std::vector<Eigen::Vector2d>>& steps, SealingInput& input, std::vector<TipStep>& grown)
+{
+  const double reach = BeyondSteps * input.Step.maxCoeff();
+  for (std::size_t fault = 0; fault < steps.size(); ++fault)
+  {
+    if (steps[fault].size() < FewestSteps)
+    {
+      continue;
+    }
+    SealingFault& own = input.Faults[fault];
+    TipStep& told = grown.emplace_back();
+    told.Fault = own.Plate.Name();
+    std::vector<Eigen::Vector2d> places = own.TipLoop;
+    for (const Eigen::Vector2d& place : steps[fault])
+    {
+      told.Distance = std::max(told.Distance, IsInside(own.TipLoop, place) ? 0.0 : DistanceToLine(own.TipLoop, place));
+      for (const double s : { -reach, reach })
+      {
+        places.emplace_back(place.x() + s, place.y() - reach);
+        places.emplace_back(place.x() + s, place.y() + reach);
+      }
+    }
+    own.TipLoop = FindHull(std::move(places));
+    for (SealingFault& part : input.Faults)
+    {
+      part.TipLoop = part.PartOf == fault ? own.TipLoop : part.TipLoop;
+    }
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+HorizonBlocks FindBlockHeights(SealingInput& input, const SealingOptions& options, const Monitor& monitor)
 {
   const BlockTree tree(input.Faults);
   const BlockFiller filler(input);
@@ -716,7 +848,7 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
   HorizonBlocks result;
   std::vector<BlockHeights>& blocks = result.Blocks;
   result.Accounts.resize(input.Horizons.size());
-  const double step = 1.0 / double(input.Horizons.size());
+  const double step = 0.8 / double(input.Horizons.size());
   for (std::size_t horizon = 0; horizon < input.Horizons.size(); ++horizon)
   {
     const Monitor part = monitor.Step(step * double(horizon), step * double(horizon + 1));
@@ -730,6 +862,11 @@ HorizonBlocks FindBlockHeights(const SealingInput& input, const SealingOptions& 
     filler.FillAll(own, part.Step(0.3, 1.0));
     std::move(own.begin(), own.end(), std::back_inserter(blocks));
   }
+  const double apart = LeastStep * options.MaximumError;
+  std::vector<std::vector<Eigen::Vector2d>> steps(input.Faults.size());
+  filler.FindSteps(blocks, apart, steps);
+  GrowTipLoops(steps, input, result.Steps);
+  filler.Join(apart, blocks, monitor.Step(0.8, 1.0));
   for (BlockHeights& block : blocks)
   {
     if (block.IsGuessed)

@@ -79,11 +79,12 @@ struct HorizonBlocks
 {
   std::vector<BlockHeights> Blocks; // of all horizons in turn
   std::vector<PickAccount> Accounts; // by horizon
+  std::vector<TipStep> Steps; // of faults that picks continue
 };
 
-/// Throws InputError if a horizon has too few picks.
-HorizonBlocks FindBlockHeights(
-  const SealingInput& input, const SealingOptions& options, const Monitor& monitor = Monitor());
+/// Where picks step beyond the tips of a fault, its tip loop grows around them. Throws InputError if a horizon has too few
+/// picks.
+HorizonBlocks FindBlockHeights(SealingInput& input, const SealingOptions& options, const Monitor& monitor = Monitor());
 }
 
 #endif

@@ -470,8 +470,14 @@ private:
       const std::array<Eigen::Vector3d, 3> places = this->CornersOf(corners[n]);
       const Eigen::Vector3d normal = (places[1] - places[0]).cross(places[2] - places[0]);
       constexpr double least = 0.05; // no triangle is steeper on the plane of its sheet, as a cosine
-      if (!(normal.dot(shape.Axes.row(2)) > least * normal.norm()) ||
-        !(CosineOfSmallestAngle(places) <= largestCosine) || !this->IsWithin(shape, places))
+      if (!(normal.dot(shape.Axes.row(2)) > least * normal.norm()) || !(CosineOfSmallestAngle(places) <= largestCosine))
+      {
+        return false;
+      }
+    }
+    for (std::size_t n = 0; n < changed.size(); ++n) // after all angles, as this takes longer
+    {
+      if (!this->IsWithin(this->Shapes[std::size_t(this->Triangle(changed[n]).Sheet)], this->CornersOf(corners[n])))
       {
         return false;
       }

@@ -31,7 +31,7 @@ constexpr double SmallestSealedAngle = 15.0; // degrees
 class ModelSheets
 {
 public:
-  ModelSheets(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+  ModelSheets(SealingInput& input, const SealingOptions& options, const Monitor& monitor)
     : Input(input)
     , Options(options)
     , Tree(input.Faults)
@@ -42,6 +42,7 @@ public:
     HorizonBlocks found = FindBlockHeights(input, options, monitor.Step(0.0, 0.3));
     this->Blocks = std::move(found.Blocks);
     this->Accounts = std::move(found.Accounts);
+    this->Steps = std::move(found.Steps);
     constexpr double notThere = std::numeric_limits<double>::quiet_NaN();
     const auto step = [&]()
     {
@@ -226,6 +227,7 @@ public:
   }
 
   std::vector<PickAccount> Accounts;
+  std::vector<TipStep> Steps;
   std::vector<Sheet> Shaken;
   std::vector<SheetShape> Shapes;
 
@@ -631,7 +633,7 @@ bool SealingFault::IsBeyondTips(const FaultPlace& place) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SealedModel SealModel(const SealingInput& input, const SealingOptions& options, const Monitor& monitor)
+SealedModel SealModel(SealingInput input, const SealingOptions& options, const Monitor& monitor)
 {
   ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
   const double column = input.Step.maxCoeff();
@@ -651,6 +653,7 @@ SealedModel SealModel(const SealingInput& input, const SealingOptions& options, 
   model.Blocks = sheets.BlocksOfLabels();
   model.Guessed = sheets.Guessed();
   model.Accounts = sheets.Accounts;
+  model.Steps = sheets.Steps;
   const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
   model.LargestError = *std::max_element(errors.begin(), errors.end());
   return model;

@@ -164,6 +164,13 @@ struct PickAccount
   std::size_t Continued = 0; // of these, without a pick that is used
 };
 
+/// A fault that picks continue beyond its tips, and by how much.
+struct TipStep
+{
+  std::string Fault;
+  double Distance = 0.0;
+};
+
 struct SealedModel
 {
   std::vector<Eigen::Vector3d> Vertices;
@@ -175,7 +182,8 @@ struct SealedModel
   std::vector<std::string> FaultNames; // by fault, those of parts included
   std::vector<SealedGuess> Guessed;
   std::vector<PickAccount> Accounts; // by horizon
-  std::vector<std::int32_t> BeyondTips; // surfaces of faults with a throw beyond their tips, where they go on
+  std::vector<TipStep> Steps;
+  std::vector<std::int32_t> BeyondTips; // surfaces of faults that are left beyond their tips, as horizons step there
   double LargestError = 0.0; // of picks that are used, and not moved
   double LeastAngle = 0.0; // between triangles at edges, in degrees
   std::size_t Slivers = 0; // triangles thinner than a thousandth of a column
@@ -183,7 +191,7 @@ struct SealedModel
 
 /// Throws InputError if surfaces cannot be sealed.
 SealedModel SealModel(
-  const SealingInput& input, const SealingOptions& options = SealingOptions(), const Monitor& monitor = Monitor());
+  SealingInput input, const SealingOptions& options = SealingOptions(), const Monitor& monitor = Monitor());
 }
 
 #endif
