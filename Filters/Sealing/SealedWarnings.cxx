@@ -93,6 +93,32 @@ std::string JoinTexts(const std::vector<std::string>& texts)
   return std::accumulate(texts.begin() + 1, texts.end(), texts.front(),
     [](const std::string& joined, const std::string& text) { return joined + "; " + text; });
 }
+
+void WarnOfTips(const SealedModel& model, std::vector<std::string>& warnings)
+{
+  if (!model.BeyondTips.empty())
+  {
+    std::vector<std::string> names;
+    for (const std::int32_t surface : model.BeyondTips)
+    {
+      names.push_back(model.Surfaces[std::size_t(surface)].Name);
+    }
+    warnings.push_back("faults in strips beyond their tips (" + ListFaults(names) +
+      "), expected no step of picks there: Tips Through lets faults go on");
+  }
+  if (!model.Steps.empty())
+  {
+    std::vector<std::string> steps;
+    for (const TipStep& step : model.Steps)
+    {
+      std::ostringstream text = MakeReportStream();
+      text << step.Fault << " by " << step.Distance;
+      steps.push_back(text.str());
+    }
+    warnings.push_back(
+      "faults that picks continue beyond their sticks (" + JoinTexts(steps) + "), expected sticks as far as they step");
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -115,15 +141,7 @@ std::vector<std::string> WarnOfSealed(const SealedModel& model, const FaultNetwo
     warnings.push_back("parts of faults left out (" + JoinTexts(network.LeftOut) +
       "), expected faults on one side of those that Endings lets them end at");
   }
-  if (!model.BeyondTips.empty())
-  {
-    std::vector<std::string> names;
-    for (const std::int32_t surface : model.BeyondTips)
-    {
-      names.push_back(model.Surfaces[std::size_t(surface)].Name);
-    }
-    warnings.push_back("faults that go on beyond their tips (" + ListFaults(names) + "), expected no throw there");
-  }
+  WarnOfTips(model, warnings);
   if (!missing.empty())
   {
     warnings.push_back("faults in no surface (" + ListFaults(missing) + "), expected each to bound a body");
@@ -135,7 +153,8 @@ std::vector<std::string> WarnOfSealed(const SealedModel& model, const FaultNetwo
   if (model.Slivers > 0)
   {
     warnings.push_back(std::to_string(model.Slivers) +
-      " triangles thinner than a thousandth of a column, expected faults that are farther apart");
+      " triangles thinner than a thousandth of a column, expected none: faults that nearly coincide, or die out, make "
+      "them");
   }
   for (std::size_t n = 0; n < input.Horizons.size(); ++n)
   {

@@ -9,6 +9,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
+#include "Common/Horizon/ConvexHull.h"
 #include "Common/Survey/ColumnOrder.h"
 #include "Common/Survey/PickWarnings.h"
 #include "Common/Survey/StrayPicks.h"
@@ -199,39 +200,6 @@ private:
 };
 
 // ---- The convex hull ------------------------------------------------------------------------------------------------
-
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
-{
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
-/// Andrew's chains give the corners in order.
-std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
-{
-  assert(!places.empty());
-  std::sort(places.begin(), places.end(),
-    [](const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-    { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-  std::vector<Eigen::Vector2d> hull;
-  for (const bool isLower : { true, false })
-  {
-    const std::size_t begin = hull.size();
-    for (const Eigen::Vector2d& place : places)
-    {
-      while (hull.size() >= begin + 2 && Cross(hull[hull.size() - 2], hull.back(), place) <= 0.0)
-      {
-        hull.pop_back();
-      }
-      hull.push_back(place);
-    }
-    hull.pop_back();
-    if (isLower)
-    {
-      std::reverse(places.begin(), places.end());
-    }
-  }
-  return hull.empty() ? places : hull;
-}
 
 /// Returns the first and last column within the hull.
 std::array<int, 2> SpanOf(const std::vector<Eigen::Vector2d>& hull, double row)

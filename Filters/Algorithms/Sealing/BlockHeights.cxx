@@ -4,6 +4,8 @@
 #include "BlockHeights.h"
 
 #include "Common/Base/Parallel.h"
+#include "Common/Horizon/ConvexHull.h"
+#include "FaultNetwork.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 #include "Filters/Algorithms/HoleFilling/SiteSolver.h"
 
@@ -23,9 +25,10 @@ constexpr std::int32_t NoBlock = -1;
 constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
 constexpr int Around = 4; // columns kept around a block
 constexpr double LeastApart = 2.5; // errors, between horizons of a block
-constexpr double LeastStep = 3.0; // errors, of a fault beyond its tips
+constexpr double LeastTipStep = 3.0; // errors, of a fault beyond its tips
 constexpr std::size_t FewestSteps = 6; // places of one
-constexpr double BeyondSteps = 5.0; // columns that it goes on
+constexpr double MostHeave = 30.0; // columns, of one
+constexpr double BeyondSteps = 5.3; // columns that it goes on; no whole number, as ribbons may not lie on other edges
 constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
 constexpr double LeastNew = 0.01; // of the nodes of a continuation, for another one
 constexpr int Rim = 6; // columns of picks that the continuation follows
@@ -284,7 +287,9 @@ private:
     std::vector<Eigen::Vector2d>& steps) const
   {
     constexpr double beside = 1.0, beyond = 2.0; // columns, of the fault and its tips
-    constexpr std::int32_t near = 3; // columns
+    constexpr double clear = 4.0; // times the least step, which may be as near to the tips
+    constexpr double around = 6.0; // columns, beside the heave
+    const SealingFault& fault = this->Input.Faults[between];
     for (std::size_t node = 0; node < a.Nodes.size(); ++node)
     {
       const PlanePoint column = a.Window.ColumnOf(node);
@@ -295,8 +300,11 @@ private:
       }
       const std::optional<FaultPlace> at =
         this->FindBehind(a, b, between, this->PlaceOf(column, height), beside * this->Column);
+      const double heave = fault.Plate.Lean() * std::abs(a.Heights[node] - height) / this->Column;
+      const auto near = std::int32_t(around + std::min(heave, MostHeave));
+      const bool isClear = std::abs(a.Heights[node] - height) > clear * apart;
       if (at && this->HasPicksNear(a, column, near) && this->HasPicksNear(b, column, near) &&
-        DistanceToLine(this->Input.Faults[between].TipLoop, { at->S, at->Z }) > beyond * this->Column)
+        (isClear || DistanceToLine(fault.TipLoop, { at->S, at->Z }) > beyond * this->Column))
       {
         steps.emplace_back(at->S, at->Z);
         steps.emplace_back(at->S, at->Z + a.Heights[node] - height);
@@ -778,34 +786,6 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
   }
 }
 
-/// Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions".
-std::vector<Eigen::Vector2d> FindHull(std::vector<Eigen::Vector2d> places)
-{
-  std::sort(places.begin(), places.end(),
-    [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  std::vector<Eigen::Vector2d> hull;
-  for (int pass = 0; pass < 2; ++pass)
-  {
-    const std::size_t first = hull.size();
-    for (const Eigen::Vector2d& place : places)
-    {
-      const auto turnsRight = [&]()
-      {
-        const Eigen::Vector2d a = hull.back() - hull[hull.size() - 2], b = place - hull.back();
-        return a.x() * b.y() - a.y() * b.x() <= 0.0;
-      };
-      while (hull.size() >= first + 2 && turnsRight())
-      {
-        hull.pop_back();
-      }
-      hull.push_back(place);
-    }
-    hull.pop_back(); // It begins the other half.
-    std::reverse(places.begin(), places.end());
-  }
-  return hull;
-}
-
 /// Tip loops around places where picks step, and some columns beyond.
 void GrowTipLoops(
   const std::vector<std::vector<Eigen::Vector2d>>& steps, SealingInput& input, std::vector<TipStep>& grown)
@@ -813,11 +793,11 @@ void GrowTipLoops(
   const double reach = BeyondSteps * input.Step.maxCoeff();
   for (std::size_t fault = 0; fault < steps.size(); ++fault)
   {
+    SealingFault& own = input.Faults[fault];
     if (steps[fault].size() < FewestSteps)
     {
       continue;
     }
-    SealingFault& own = input.Faults[fault];
     TipStep& told = grown.emplace_back();
     told.Fault = own.Plate.Name();
     std::vector<Eigen::Vector2d> places = own.TipLoop;
@@ -830,7 +810,7 @@ void GrowTipLoops(
         places.emplace_back(place.x() + s, place.y() + reach);
       }
     }
-    own.TipLoop = FindHull(std::move(places));
+    own.TipLoop = Straighten(FindHull(std::move(places)), LoopTolerance * input.Step.minCoeff());
     for (SealingFault& part : input.Faults)
     {
       part.TipLoop = part.PartOf == fault ? own.TipLoop : part.TipLoop;
@@ -862,7 +842,7 @@ HorizonBlocks FindBlockHeights(SealingInput& input, const SealingOptions& option
     filler.FillAll(own, part.Step(0.3, 1.0));
     std::move(own.begin(), own.end(), std::back_inserter(blocks));
   }
-  const double apart = LeastStep * options.MaximumError;
+  const double apart = LeastTipStep * options.MaximumError;
   std::vector<std::vector<Eigen::Vector2d>> steps(input.Faults.size());
   filler.FindSteps(blocks, apart, steps);
   GrowTipLoops(steps, input, result.Steps);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -17,7 +18,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double LoopTolerance = 0.25; // columns, of tip lines
 constexpr double LeastShare = 0.1; // of a fault that counts as beyond another one
 
 /// How much of a fault is on each side of another one.
@@ -90,31 +90,6 @@ std::vector<Eigen::Vector2d> FindTipLoop(const FaultPlate& plate, double far, Go
   std::vector<Eigen::Vector2d> loop = ends[1];
   loop.insert(loop.end(), ends[0].rbegin(), ends[0].rend());
   return loop;
-}
-
-/// Drops corners that are near the line between those that stay.
-std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop, double tolerance)
-{
-  std::vector<Eigen::Vector2d> kept = { loop.front() };
-  std::vector<Eigen::Vector2d> dropped;
-  for (std::size_t n = 1; n < loop.size(); ++n)
-  {
-    const Eigen::Vector2d& next = loop[(n + 1) % loop.size()];
-    const Eigen::Vector2d way = next - kept.back();
-    dropped.push_back(loop[n]);
-    const bool isNear = std::all_of(dropped.begin(), dropped.end(),
-      [&](const Eigen::Vector2d& place)
-      {
-        const Eigen::Vector2d to = place - kept.back();
-        return std::abs(way.x() * to.y() - way.y() * to.x()) <= tolerance * way.norm() && to.dot(way) >= 0.0;
-      });
-    if (!isNear)
-    {
-      kept.push_back(loop[n]);
-      dropped.clear();
-    }
-  }
-  return kept;
 }
 
 class NetworkMaker
@@ -341,11 +316,39 @@ FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::Ali
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop, double tolerance)
+{
+  std::vector<Eigen::Vector2d> kept = { loop.front() };
+  std::vector<Eigen::Vector2d> dropped;
+  for (std::size_t n = 1; n < loop.size(); ++n)
+  {
+    const Eigen::Vector2d& next = loop[(n + 1) % loop.size()];
+    const Eigen::Vector2d way = next - kept.back();
+    dropped.push_back(loop[n]);
+    const bool isNear = std::all_of(dropped.begin(), dropped.end(),
+      [&](const Eigen::Vector2d& place)
+      {
+        const Eigen::Vector2d to = place - kept.back();
+        return std::abs(way.x() * to.y() - way.y() * to.x()) <= tolerance * way.norm() && to.dot(way) >= 0.0;
+      });
+    if (!isNear)
+    {
+      kept.push_back(loop[n]);
+      dropped.clear();
+    }
+  }
+  return kept;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance, FaultNetwork& network)
 {
-  const double far = 2.0 * box.diagonal().norm();
-  for (SealingFault& fault : network.Faults)
+  constexpr double beyond = 4.0; // columns
+  const double far = (endDistance + beyond) * column;
+  for (std::size_t number = 0; number < network.Faults.size(); ++number)
   {
+    SealingFault& fault = network.Faults[number];
+    const double gap = network.Gaps[number];
     const FaultPlate& plate = fault.Plate;
     const auto isThere = [&](const Eigen::Vector2d& at)
     {
@@ -363,8 +366,9 @@ void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance
     {
       constexpr double least = 1e-3; // Above and below the box, ends are as at its top and base.
       const double z = std::clamp(place.y(), base + least * height, base + (1.0 - least) * height);
-      return (way.y() > 0.0 && fault.EndsBelow) ||
-        !isThere(Eigen::Vector2d(place.x(), way.y() == 0.0 ? z : place.y()) + endDistance * column * way);
+      const Eigen::Vector2d from(place.x(), way.y() == 0.0 ? z : place.y());
+      const bool meetsHorizon = way.y() > 0.0 && fault.EndsBelow && gap <= endDistance * column;
+      return meetsHorizon || (isThere(from) && !isThere(from + endDistance * column * way));
     };
     fault.TipLoop = Straighten(FindTipLoop(plate, far, goesOn), LoopTolerance * column);
     constexpr int steps = 256;
@@ -372,7 +376,9 @@ void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance
     for (int n = 0; n < steps * steps && !hasTips; ++n)
     {
       const double s = (double(n % steps) + 0.5) / steps, z = (double(n / steps) + 0.5) / steps;
-      const Eigen::Vector2d at(plate.First() + (plate.Last() - plate.First()) * s + far * (s - 0.5), base + height * z);
+      const Eigen::Vector2d at(
+        plate.First() + (plate.Last() - plate.First()) * s + 2.0 * box.diagonal().norm() * (s - 0.5),
+        base + height * z);
       hasTips = isThere(at) && !IsInside(fault.TipLoop, at);
     }
     fault.TipLoop = hasTips ? fault.TipLoop : std::vector<Eigen::Vector2d>();
@@ -383,6 +389,7 @@ void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance
 std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,
   const Eigen::AlignedBox3d& box, FaultNetwork& network)
 {
+  network.Gaps.assign(network.Faults.size(), std::numeric_limits<double>::infinity());
   for (const std::size_t number : unconformities)
   {
     const SealingHorizon& horizon = input.Horizons[number];
@@ -391,19 +398,22 @@ std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const 
     {
       heights[KeyOfColumn(horizon.Columns[pick])] = horizon.Heights[pick];
     }
-    for (SealingFault& fault : network.Faults)
+    for (std::size_t n = 0; n < network.Faults.size(); ++n)
     {
-      double above = 0.0, all = 0.0;
+      SealingFault& fault = network.Faults[n];
+      double above = 0.0, all = 0.0, gap = std::numeric_limits<double>::infinity();
       for (const Eigen::Vector3d& place : PlacesOf(fault.Plate, box))
       {
         const Eigen::Vector2d column = (place.head<2>().array() / input.Step.array()).round();
         const auto found = heights.find(KeyOfColumn({ std::int32_t(column.x()), std::int32_t(column.y()) }));
         all += found != heights.end() ? 1.0 : 0.0;
         above += found != heights.end() && place.z() > found->second ? 1.0 : 0.0;
+        gap = found != heights.end() ? std::min(gap, found->second - place.z()) : gap;
       }
       if (all > 0.0 && above < LeastShare * all)
       {
         fault.EndsBelow = std::max(fault.EndsBelow.value_or(number), number);
+        network.Gaps[n] = fault.EndsBelow == number ? gap : network.Gaps[n];
       }
     }
   }

@@ -32,6 +32,7 @@ struct FaultNetwork
   /// In order. Each has its region.
   std::vector<SealingFault> Faults;
   std::vector<std::size_t> Plates; // their numbers, by fault
+  std::vector<double> Gaps; // up to the horizon that they end at, by fault; set by EndAtHorizons
   std::vector<std::string> Choices; // made without a rule, as "F2 ends at F1"
   std::vector<std::string> LeftOut; // parts of faults beyond those that they end at by a rule
   std::vector<std::string> Outside; // names of faults that are not in the box
@@ -42,6 +43,11 @@ struct FaultNetwork
 /// crossings without a rule, and faults within a column of each other.
 FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::AlignedBox3d& box, double column,
   double endDistance, const std::vector<EndingRule>& rules);
+
+constexpr double LoopTolerance = 0.25; // columns, of tip loops
+
+/// Drops corners of a tip loop that are near the line between those that stay.
+std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop, double tolerance);
 
 /// Lets faults die out at the ends of their sticks, and half of the distance of these beyond, unless walls or the faults that
 /// they end at are nearer than `endDistance` columns.

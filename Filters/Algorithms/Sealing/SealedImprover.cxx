@@ -20,7 +20,6 @@ namespace
 {
 using GonePlaces = std::vector<Eigen::Vector3d>;
 
-constexpr double MostGap = 3.0; // errors
 constexpr double Short = 0.02; // columns; edges up to this length may go with their corners
 
 /// Visits heights over a triangle, until visit(how far one is above it) is false.
@@ -122,6 +121,7 @@ public:
       this->Part = parts[round];
       this->RemoveVertices();
       this->FlipEdges();
+      this->CloseGaps();
     }
   }
 
@@ -170,7 +170,7 @@ private:
     return neighbours;
   }
 
-  /// What surfaces meet at an edge, in order.
+  /// What surfaces meet at an edge, in order. Beyond its tips a fault is another surface.
   using EdgeKind = std::vector<std::array<SealId, 3>>;
   EdgeKind KindOf(SealId a, SealId b) const
   {
@@ -180,7 +180,7 @@ private:
       const LabelledTriangle& t = this->Triangle(triangle);
       if (Has(t.Corners, b))
       {
-        kind.push_back({ t.Sheet, t.Labels[0], t.Labels[1] });
+        kind.push_back({ t.IsBeyondTips ? ~t.Sheet : t.Sheet, t.Labels[0], t.Labels[1] });
       }
     }
     std::sort(kind.begin(), kind.end());
@@ -287,6 +287,27 @@ private:
       });
   }
 
+  /// Whether the other vertex is on all faults that the vertex is on, which it may not draw beyond their tips.
+  bool IsOnFaultsOf(SealId vertex, SealId other) const
+  {
+    const auto isFault = [this](SealId triangle, SealId sheet)
+    {
+      const LabelledTriangle& own = this->Triangle(triangle);
+      return own.Sheet == sheet && !own.IsBeyondTips;
+    };
+    const std::vector<SealId>& around = this->Around[std::size_t(vertex)];
+    const std::vector<SealId>& others = this->Around[std::size_t(other)];
+    return std::all_of(around.begin(), around.end(),
+      [&](SealId triangle)
+      {
+        const SealId sheet = this->Triangle(triangle).Sheet;
+        const bool isOfGap = std::any_of(others.begin(), others.end(),
+          [&](SealId beside) { return this->Triangle(beside).IsBeyondTips && this->Triangle(beside).Sheet == sheet; });
+        return !isFault(triangle, sheet) || !isOfGap ||
+          std::any_of(others.begin(), others.end(), [&](SealId beside) { return isFault(beside, sheet); });
+      });
+  }
+
   /// Places of the line that a vertex and those removed before it had.
   GonePlaces GoneFrom(SealId vertex, const std::vector<SealId>& ends) const
   {
@@ -355,8 +376,8 @@ private:
       {
         const auto join = [&](SealId vertex, SealId target)
         {
-          return this->IsOnWallsOf(vertex, target) && this->CanJoin(vertex, target, this->NeighboursOf(vertex)) &&
-            this->Try(vertex, target);
+          return this->IsOnWallsOf(vertex, target) && this->IsOnFaultsOf(vertex, target) &&
+            this->CanJoin(vertex, target, this->NeighboursOf(vertex)) && this->Try(vertex, target);
         };
         return join(edge[0], edge[1]) || join(edge[1], edge[0]);
       });

@@ -22,6 +22,8 @@
 
 namespace SeismicHorizons
 {
+constexpr double MostGap = 3.0; // errors; the height of strips beyond the tips of a fault that may be closed
+
 struct SheetShape
 {
   SheetHeights Heights; // empty for level sheets

@@ -269,9 +269,16 @@ private:
     const Eigen::Vector3d across(plate.AcrossOnMap().x(), plate.AcrossOnMap().y(), 0.0);
     constexpr int steps = 8;
     constexpr double beyond = 0.5; // columns
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& corner : fault.TipLoop)
+    {
+      middle += corner / double(fault.TipLoop.size());
+    }
     for (std::size_t n = 0; n < fault.TipLoop.size(); ++n)
     {
-      const Eigen::Vector2d &from = fault.TipLoop[n], way = fault.TipLoop[(n + 1) % fault.TipLoop.size()] - from;
+      constexpr double wider = 1.00023; // so that it does not lie on the edges of other sheets
+      const Eigen::Vector2d from = middle + wider * (fault.TipLoop[n] - middle);
+      const Eigen::Vector2d way = wider * (fault.TipLoop[(n + 1) % fault.TipLoop.size()] - fault.TipLoop[n]);
       std::array<double, 2> reach = { std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity() };
       for (int step = 0; step <= steps; ++step)
@@ -552,24 +559,20 @@ std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
   return surfaces;
 }
 
-std::size_t CountSlivers(const SealedComplex& complex, double thickness)
+/// The least height of a triangle.
+double ThicknessOf(const SealedComplex& complex, const LabelledTriangle& triangle)
 {
-  return std::size_t(std::count_if(complex.Triangles.begin(), complex.Triangles.end(),
-    [&](const LabelledTriangle& triangle)
-    {
-      std::array<Eigen::Vector3d, 3> edges;
-      for (std::size_t n = 0; n < 3; ++n)
-      {
-        edges[n] = complex.Vertices[std::size_t(triangle.Corners[(n + 1) % 3])] -
-          complex.Vertices[std::size_t(triangle.Corners[n])];
-      }
-      const double longest = std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
-      return edges[0].cross(edges[1]).norm() < thickness * longest;
-    }));
+  std::array<Eigen::Vector3d, 3> edges;
+  for (std::size_t n = 0; n < 3; ++n)
+  {
+    edges[n] =
+      complex.Vertices[std::size_t(triangle.Corners[(n + 1) % 3])] - complex.Vertices[std::size_t(triangle.Corners[n])];
+  }
+  return edges[0].cross(edges[1]).norm() / std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
 }
 
-/// Adds triangles and bodies.
-void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedModel& model)
+/// Adds triangles and bodies. Strips beyond tips are steps if they are higher than gaps that may be closed.
+void Describe(const SealedComplex& complex, const ModelSheets& sheets, double thinnest, double gap, SealedModel& model)
 {
   const ComplexBodies bodies = FindBodies(complex);
   const auto layers = std::int32_t(sheets.NumberOfLayers());
@@ -579,7 +582,11 @@ void Describe(const SealedComplex& complex, const ModelSheets& sheets, SealedMod
   {
     const LabelledTriangle& triangle = complex.Triangles[n];
     model.Triangles.push_back({ triangle.Corners, sheets.SurfaceOf(triangle.Sheet), bodies.OfTriangles[n] });
-    model.BeyondTips.insert(model.BeyondTips.end(), triangle.IsBeyondTips ? 1 : 0, sheets.SurfaceOf(triangle.Sheet));
+    const double thickness = ThicknessOf(complex, triangle);
+    model.Slivers += thickness < thinnest ? 1 : 0;
+    constexpr double steps = 2.0; // gaps; just beyond tips strips may be a little higher than one
+    const bool isStep = triangle.IsBeyondTips && thickness > steps * MostGap * gap;
+    model.BeyondTips.insert(model.BeyondTips.end(), isStep ? 1 : 0, sheets.SurfaceOf(triangle.Sheet));
     for (const std::int32_t corner : triangle.Corners)
     {
       VertexSource& source = model.Sources[std::size_t(corner)];
@@ -647,9 +654,8 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
   std::transform(input.Faults.begin(), input.Faults.end(), std::back_inserter(model.FaultNames),
     [](const SealingFault& fault) { return fault.Plate.Name(); });
   model.Vertices = complex.Vertices;
-  Describe(complex, sheets, model);
   constexpr double thinnest = 1e-3; // columns
-  model.Slivers = CountSlivers(complex, thinnest * column);
+  Describe(complex, sheets, thinnest * column, improver.LineError, model);
   model.Blocks = sheets.BlocksOfLabels();
   model.Guessed = sheets.Guessed();
   model.Accounts = sheets.Accounts;
