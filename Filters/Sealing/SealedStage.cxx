@@ -142,9 +142,9 @@ std::vector<std::size_t> ReadUnconformities(const std::string& text, const Seali
   return numbers;
 }
 
-/// Horizons and the box, without faults.
-SealingInput MakeInput(
-  const std::vector<CutInput>& horizons, const CutoffModelData& model, const ModelFrame& frame, double error)
+/// Horizons and the box, without faults. Horizons below an unconformity may be eroded, and do not limit the box.
+SealingInput MakeInput(const std::vector<CutInput>& horizons, const CutoffModelData& model, const ModelFrame& frame,
+  double error, const std::vector<std::string>& unconformities)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   SealingInput input;
@@ -163,7 +163,14 @@ SealingInput MakeInput(
       column = frame.IsTurned ? PlanePoint{ column.Y, column.X } : column;
       box.Add(column);
     }
-    if (!input.Horizons.empty())
+    const bool isBelow = std::any_of(input.Horizons.begin(), input.Horizons.end(),
+      [&](const SealingHorizon& above)
+      { return std::find(unconformities.begin(), unconformities.end(), above.Name) != unconformities.end(); });
+    if (isBelow)
+    {
+      box = common;
+    }
+    else if (!input.Horizons.empty())
     {
       box.Least = { std::max(common.Least.X, box.Least.X), std::max(common.Least.Y, box.Least.Y) };
       box.Greatest = { std::min(common.Greatest.X, box.Greatest.X), std::min(common.Greatest.Y, box.Greatest.Y) };
@@ -263,7 +270,7 @@ SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& o
   {
     throw InputError("maximum error 0, expected more for a sealed model");
   }
-  SealingInput input = MakeInput(horizons, cutoffs, frame, sealing.MaximumError);
+  SealingInput input = MakeInput(horizons, cutoffs, frame, sealing.MaximumError, SplitList(options.Unconformities));
   const Eigen::AlignedBox3d box = input.Box();
   FaultNetwork network = MakeNetwork(
     PlaceFaults(cutoffs, frame), box, frame.Step.minCoeff(), options.EndDistance, ReadEndings(options.Endings));

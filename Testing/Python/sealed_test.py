@@ -182,6 +182,11 @@ class SealedTest(unittest.TestCase):
             self.assertEqual((len(model), above), (11, {"F2 hanging wall", "F2 footwall"}))
             volumes.append([sum(volume for own, volume in zip(model.figures["layer"], model.figures["volume"]) if own == layer) for layer in ("U to A", "A to B")])
         np.testing.assert_allclose(volumes[0], volumes[1], rtol=0.001)
+        eroded = sh.horizon(np.where(u < 500.0, np.nan, -1300.0 - np.where(u > 600.0 - 0.5 * -100.0, 60.0, 0.0)), origin=(0.0, 0.0), spacing=(25.0, 25.0), azimuth=90.0,
+                            direction="up", vertical_unit="m", vertical_step=1.0, name="A")
+        model, _ = sealed([horizons[0], eroded, horizons[2]], sh.Lines([fault for fault, _ in lines], [line for _, line in lines], direction="up", vertical_unit="m"),
+                          endings="", unconformities="U")
+        self.assertAlmostEqual(np.ptp(model.points[:, 0]), 1975.0)
 
     def test_outline(self):
         """Walls follow an L with ragged edges, holes and one spur, with few corners."""
