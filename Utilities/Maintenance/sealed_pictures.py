@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the picture of the page on sealed models: bodies of three horizons and two faults, pulled apart.
+"""Draws the pictures of the page on sealed models: bodies of three horizons and two faults, pulled apart; and a fault that dies out.
 
     sealed_pictures.py FOLDER
 
@@ -56,10 +56,24 @@ def make_sticks():
     return sh.Lines([name for name, _ in lines], [line for _, line in lines])
 
 
-def poly_data(mesh, shift):
+def make_tips():
+    """F1 alone, which dies out at both ends: horizons and sticks."""
+    x, y = np.meshgrid(np.arange(SIZE) * BIN, np.arange(SIZE) * BIN)
+    horizons = []
+    for name, depth in DEPTHS.items():
+        foot = depth + 30.0 * np.sin(x / 420.0) * np.cos(y / 560.0)
+        hanging = foot + 140.0 * np.clip(1.0 - ((y - 1000.0) / 650.0) ** 2, 0.0, None) ** 2
+        z = np.where(is_hanging("F1", x, y, hanging), hanging, np.where(is_hanging("F1", x, y, foot), np.nan, foot))
+        horizons.append(sh.horizon(z, spacing=(BIN, BIN), vertical_unit="m", horizontal_unit="m", name=name))
+    depths = np.linspace(900.0, 1700.0, 9)
+    lines = [np.column_stack((fault_x("F1", y, depths), np.full(9, y), -depths)) for y in np.linspace(400.0, 1600.0, 13)]
+    return horizons, sh.Lines(["F1"] * len(lines), lines)
+
+
+def poly_data(mesh, shift, chosen=slice(None)):
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
     points.SetData(numpy_to_vtk(mesh.points + shift, deep=True))
-    triangles = np.asarray(mesh.triangles, np.int64)
+    triangles = np.asarray(mesh.triangles, np.int64)[chosen]
     cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, 3 * len(triangles) + 1, 3), deep=True), numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True))
     data.SetPoints(points)
     data.SetPolys(cells)
@@ -80,13 +94,7 @@ def add(renderer, data, color, edges):
     return actor
 
 
-def draw(model, path):
-    renderer, window, image, writer = vtkRenderer(), vtkRenderWindow(), vtkWindowToImageFilter(), vtkPNGWriter()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    lights = vtkLightKit()
-    lights.SetKeyLightElevation(60.0)
-    lights.SetKeyToFillRatio(2.0)
-    lights.AddLightsToRenderer(renderer)
+def draw_bodies(model, renderer):
     middle = model.points.mean(0)
     for name, body in zip(model.names, model.bodies):
         shift = (APART - 1.0) * (body.points.mean(0) - middle) * (1.0, 1.0, 1.4)
@@ -97,13 +105,29 @@ def draw(model, path):
         creases.SetFeatureAngle(25.0)
         creases.Update()
         add(renderer, creases.GetOutput(), (0.15, 0.15, 0.15), False).GetProperty().SetLineWidth(2.0)
+
+
+def draw_surfaces(model, renderer):
+    for name, color in (("H2", COLORS["H1 to H2"]), ("H3", COLORS["H2 to H3"]), ("F1", (0.70, 0.15, 0.12))):
+        add(renderer, poly_data(model, 0.0, np.array(model.surface) == name), color, True)
+
+
+def write(model, draw, way, path):
+    renderer, window, image, writer = vtkRenderer(), vtkRenderWindow(), vtkWindowToImageFilter(), vtkPNGWriter()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    lights = vtkLightKit()
+    lights.SetKeyLightElevation(60.0)
+    lights.SetKeyToFillRatio(2.0)
+    lights.AddLightsToRenderer(renderer)
+    draw(model, renderer)
+    middle = model.points.mean(0)
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(1100, 720)
     window.AddRenderer(renderer)
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(middle)
-    camera.SetPosition(middle + np.array([-1200.0, -4200.0, 2300.0]))
+    camera.SetPosition(middle + np.array(way))
     camera.SetViewUp(0.0, 0.0, 1.0)
     renderer.ResetCamera()
     camera.Zoom(1.4)
@@ -117,7 +141,9 @@ def draw(model, path):
 def main():
     model = sh.sealed([make_horizon(*given) for given in DEPTHS.items()], make_sticks(), endings="F2 > F1", largest_error=1.0)
     print(model)
-    draw(model, pathlib.Path(sys.argv[1]) / "SealedModel.png")
+    folder = pathlib.Path(sys.argv[1])
+    write(model, draw_bodies, [-1200.0, -4200.0, 2300.0], folder / "SealedModel.png")
+    write(sh.sealed(*make_tips(), largest_error=1.0), draw_surfaces, [3000.0, -2600.0, 2300.0], folder / "SealedTips.png")
 
 
 if __name__ == "__main__":
