@@ -279,15 +279,15 @@ SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& o
   {
     throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
   }
-  if (!options.GoesThrough)
-  {
-    EndAtTips(box, frame.Step.minCoeff(), options.EndDistance, network);
-  }
-  AddFaults(network, input);
   if (options.FollowsOutline)
   {
     input.Outline = FindSurveyOutline(input, monitor.Step(0.4, 0.42));
   }
+  if (!options.GoesThrough)
+  {
+    EndAtTips(input, options.EndDistance, network);
+  }
+  AddFaults(network, input);
   constexpr double partOfColumn = 0.25;
   sealing.FaultError = std::max(sealing.MaximumError, partOfColumn * frame.Step.minCoeff());
   SealedModel model = SealModel(input, sealing, monitor.Step(0.42, 0.95));

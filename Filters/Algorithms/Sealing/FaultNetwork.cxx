@@ -341,8 +341,11 @@ std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance, FaultNetwork& network)
+void EndAtTips(const SealingInput& input, double endDistance, FaultNetwork& network)
 {
+  const Eigen::AlignedBox3d box = input.Box();
+  const std::vector<Eigen::Vector2d> corners = input.Corners();
+  const double column = input.Step.minCoeff();
   constexpr double beyond = 4.0; // columns
   const double far = (endDistance + beyond) * column;
   for (std::size_t number = 0; number < network.Faults.size(); ++number)
@@ -353,7 +356,7 @@ void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance
     const auto isThere = [&](const Eigen::Vector2d& at)
     {
       const Eigen::Vector3d place = plate.At(at.x(), at.y());
-      return box.contains(place) &&
+      return box.contains(place) && IsInside(corners, place.head<2>()) &&
         std::all_of(fault.Region.begin(), fault.Region.end(),
           [&](const FaultSideOf& side)
           {

@@ -51,7 +51,7 @@ std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop
 
 /// Lets faults die out at the ends of their sticks, and half of the distance of these beyond, unless walls or the faults that
 /// they end at are nearer than `endDistance` columns.
-void EndAtTips(const Eigen::AlignedBox3d& box, double column, double endDistance, FaultNetwork& network);
+void EndAtTips(const SealingInput& input, double endDistance, FaultNetwork& network);
 
 /// Faults that hardly reach above one of these horizons end there. Returns how many do.
 std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const SealingInput& input,

@@ -8,6 +8,9 @@
 // their common lines (Arrangement.h). Blocks are leaves of a tree of faults, and each place has a layer in its block
 // (BlockTree.h): a triangle stays if both of its sides differ. So bodies are closed whatever the surfaces are. Last,
 // vertices beside lines are removed while nothing is pierced and errors hold (SealedImprover.h).
+//
+// A fault that dies out is cut along its tip line, too, by planes across it (ribbons). Beyond, what is alike on both sides
+// becomes one, and the strips of the fault between the sides of horizons, which differ by their errors, are closed.
 
 #ifndef SeismicHorizonsSealedModel_h
 #define SeismicHorizonsSealedModel_h
