@@ -245,6 +245,9 @@ class SealedTest(unittest.TestCase):
             model.write(FOLDER / ("tips." + ending))
         if importlib.util.find_spec("opengeode_geosciencesio"):
             self.assertEqual(sealed_programs.inspect_structure(FOLDER / "tips.ml"), (4, 0))
+        level = graben.sticks()
+        level = sh.Lines(level.names, [line[(line[:, 2] < -900.0) & (line[:, 2] > -1650.0)] for line in level.lines], direction="up", vertical_unit="m")
+        self.assertEqual(len(sealed(graben.horizons(), level)[0]), 8)  # Sticks of both faults end at one height, above A and below C.
         short = sh.Lines(["F1"] * 3, [line for line in sticks.lines[4:7]], direction="up", vertical_unit="m")
         longer, said = sealed(horizons, short, endings="")
         self.assertRegex(said, r"faults that picks continue beyond their sticks \(F1 by [23][0-9][0-9]")

@@ -89,6 +89,14 @@ double DistanceToLine(const std::vector<Eigen::Vector2d>& loop, const Eigen::Vec
   return least;
 }
 
+/// A place of a fault, S and Z, where a horizon steps.
+struct StepPlace
+{
+  Eigen::Vector2d Place;
+  bool IsHighest; // of the uppermost horizon
+  bool IsLowest;
+};
+
 class BlockFiller
 {
 public:
@@ -126,7 +134,7 @@ public:
 
   /// Places beyond the tips of a fault where picks on its sides step by more than `apart`, by fault: S and Z.
   void FindSteps(
-    const std::vector<BlockHeights>& blocks, double apart, std::vector<std::vector<Eigen::Vector2d>>& steps) const
+    const std::vector<BlockHeights>& blocks, double apart, std::vector<std::vector<StepPlace>>& steps) const
   {
     for (std::size_t n = 0; n < blocks.size(); ++n)
     {
@@ -284,7 +292,7 @@ private:
   }
 
   void AddSteps(const BlockHeights& a, const BlockHeights& b, std::size_t between, double apart,
-    std::vector<Eigen::Vector2d>& steps) const
+    std::vector<StepPlace>& steps) const
   {
     constexpr double beside = 1.0, beyond = 2.0; // columns, of the fault and its tips
     constexpr double clear = 4.0; // times the least step, which may be as near to the tips
@@ -306,8 +314,9 @@ private:
       if (at && this->HasPicksNear(a, column, near) && this->HasPicksNear(b, column, near) &&
         (isClear || DistanceToLine(fault.TipLoop, { at->S, at->Z }) > beyond * this->Column))
       {
-        steps.emplace_back(at->S, at->Z);
-        steps.emplace_back(at->S, at->Z + a.Heights[node] - height);
+        const bool isHighest = a.Horizon == 0, isLowest = a.Horizon + 1 == this->Input.Horizons.size();
+        steps.push_back({ { at->S, at->Z }, isHighest, isLowest });
+        steps.push_back({ { at->S, at->Z + a.Heights[node] - height }, isHighest, isLowest });
       }
     }
   }
@@ -786,9 +795,9 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
   }
 }
 
-/// Tip loops around places where picks step, and some columns beyond.
-void GrowTipLoops(
-  const std::vector<std::vector<Eigen::Vector2d>>& steps, SealingInput& input, std::vector<TipStep>& grown)
+/// Tip loops around places where picks step, and some columns beyond; up to the top or base of the model for its uppermost or
+/// lowest horizon.
+void GrowTipLoops(const std::vector<std::vector<StepPlace>>& steps, SealingInput& input, std::vector<TipStep>& grown)
 {
   const double reach = BeyondSteps * input.Step.maxCoeff();
   for (std::size_t fault = 0; fault < steps.size(); ++fault)
@@ -801,13 +810,16 @@ void GrowTipLoops(
     TipStep& told = grown.emplace_back();
     told.Fault = own.Plate.Name();
     std::vector<Eigen::Vector2d> places = own.TipLoop;
-    for (const Eigen::Vector2d& place : steps[fault])
+    for (const StepPlace& step : steps[fault])
     {
+      const Eigen::Vector2d& place = step.Place;
       told.Distance = std::max(told.Distance, IsInside(own.TipLoop, place) ? 0.0 : DistanceToLine(own.TipLoop, place));
+      const double low = step.IsLowest ? input.Base - own.Plate.Datum() : place.y();
+      const double high = step.IsHighest ? input.Top - own.Plate.Datum() : place.y();
       for (const double s : { -reach, reach })
       {
-        places.emplace_back(place.x() + s, place.y() - reach);
-        places.emplace_back(place.x() + s, place.y() + reach);
+        places.emplace_back(place.x() + s, low - reach);
+        places.emplace_back(place.x() + s, high + reach);
       }
     }
     own.TipLoop = Straighten(FindHull(std::move(places)), LoopTolerance * input.Step.minCoeff());
@@ -843,7 +855,7 @@ HorizonBlocks FindBlockHeights(SealingInput& input, const SealingOptions& option
     std::move(own.begin(), own.end(), std::back_inserter(blocks));
   }
   const double apart = LeastTipStep * options.MaximumError;
-  std::vector<std::vector<Eigen::Vector2d>> steps(input.Faults.size());
+  std::vector<std::vector<StepPlace>> steps(input.Faults.size());
   filler.FindSteps(blocks, apart, steps);
   GrowTipLoops(steps, input, result.Steps);
   filler.Join(apart, blocks, monitor.Step(0.8, 1.0));

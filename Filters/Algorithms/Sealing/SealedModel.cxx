@@ -269,6 +269,7 @@ private:
     const Eigen::Vector3d across(plate.AcrossOnMap().x(), plate.AcrossOnMap().y(), 0.0);
     constexpr int steps = 8;
     constexpr double beyond = 0.5; // columns
+    const double wider = 1.00023 + 0.00017 * double(number); // so that they do not lie on each other, or on edges
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& corner : fault.TipLoop)
     {
@@ -276,7 +277,6 @@ private:
     }
     for (std::size_t n = 0; n < fault.TipLoop.size(); ++n)
     {
-      constexpr double wider = 1.00023; // so that it does not lie on the edges of other sheets
       const Eigen::Vector2d from = middle + wider * (fault.TipLoop[n] - middle);
       const Eigen::Vector2d way = wider * (fault.TipLoop[(n + 1) % fault.TipLoop.size()] - fault.TipLoop[n]);
       std::array<double, 2> reach = { std::numeric_limits<double>::infinity(),
