@@ -318,24 +318,32 @@ FaultNetwork MakeNetwork(const std::vector<FaultPlate>& plates, const Eigen::Ali
 //----------------------------------------------------------------------------------------------------------------------
 std::vector<Eigen::Vector2d> Straighten(const std::vector<Eigen::Vector2d>& loop, double tolerance)
 {
+  const auto areNear =
+    [&](const std::vector<Eigen::Vector2d>& places, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    const Eigen::Vector2d way = to - from;
+    return std::all_of(places.begin(), places.end(),
+      [&](const Eigen::Vector2d& place)
+      {
+        const Eigen::Vector2d at = place - from;
+        return std::abs(way.x() * at.y() - way.y() * at.x()) <= tolerance * way.norm() && at.dot(way) >= 0.0;
+      });
+  };
   std::vector<Eigen::Vector2d> kept = { loop.front() };
   std::vector<Eigen::Vector2d> dropped;
   for (std::size_t n = 1; n < loop.size(); ++n)
   {
-    const Eigen::Vector2d& next = loop[(n + 1) % loop.size()];
-    const Eigen::Vector2d way = next - kept.back();
     dropped.push_back(loop[n]);
-    const bool isNear = std::all_of(dropped.begin(), dropped.end(),
-      [&](const Eigen::Vector2d& place)
-      {
-        const Eigen::Vector2d to = place - kept.back();
-        return std::abs(way.x() * to.y() - way.y() * to.x()) <= tolerance * way.norm() && to.dot(way) >= 0.0;
-      });
-    if (!isNear)
+    if (!areNear(dropped, kept.back(), loop[(n + 1) % loop.size()]))
     {
       kept.push_back(loop[n]);
       dropped.clear();
     }
+  }
+  dropped.push_back(kept.front());
+  if (kept.size() > 3 && areNear(dropped, kept.back(), kept[1]))
+  {
+    kept.erase(kept.begin());
   }
   return kept;
 }
