@@ -173,7 +173,7 @@ void TestDesigned()
 {
   const std::map<std::string, std::size_t> bodies = { { "scissors", 8 }, { "half", 8 }, { "thin", 14 }, { "tip", 4 },
     { "tipreverse", 4 }, { "tipwall", 4 }, { "unconformity", 7 }, { "Y", 13 }, { "Yoblique", 12 }, { "X", 14 } };
-  const std::map<std::string, double> cutoffs = { { "half", 0.4 }, { "tip", 0.8 }, { "tipreverse", 0.8 },
+  const std::map<std::string, double> cutoffs = { { "half", 0.4 }, { "tip", 1.0 }, { "tipreverse", 1.0 },
     { "tipwall", 0.4 }, { "listric", 3.5 }, { "noise", 4.0 }, { "Y", 2.0 }, { "X", 2.0 } };
   for (const std::string& name : DesignedModels())
   {
