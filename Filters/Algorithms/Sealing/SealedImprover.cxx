@@ -260,7 +260,7 @@ private:
     for (const SealId target : targets)
     {
       if (std::find(ends.begin(), ends.end(), target) == ends.end() || !this->IsNearLine(gone, ends) ||
-        !this->CanJoin(vertex, target, neighbours) || !this->Try(vertex, target))
+        !this->IsOnWallsOf(vertex, target) || !this->CanJoin(vertex, target, neighbours) || !this->Try(vertex, target))
       {
         continue;
       }
