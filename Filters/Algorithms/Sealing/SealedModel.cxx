@@ -571,6 +571,29 @@ double ThicknessOf(const SealedComplex& complex, const LabelledTriangle& triangl
   return edges[0].cross(edges[1]).norm() / std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
 }
 
+/// Throws InputError if bodies leave a gap, or overlap.
+void RequireFull(const SealingInput& input, const std::vector<SealedBody>& bodies)
+{
+  const std::vector<Eigen::Vector2d> corners = input.Corners();
+  double area = 0.0, volume = 0.0;
+  for (std::size_t n = 0; n < corners.size(); ++n)
+  {
+    const Eigen::Vector2d &a = corners[n], &b = corners[(n + 1) % corners.size()];
+    area += 0.5 * (b.x() * a.y() - a.x() * b.y());
+  }
+  for (const SealedBody& body : bodies)
+  {
+    volume += body.Volume;
+  }
+  constexpr double rounding = 1e-9;
+  const double whole = area * (input.Top - input.Base);
+  if (!(std::abs(volume - whole) <= rounding * whole))
+  {
+    throw InputError("bodies of a volume of " + std::to_string(volume) + " in walls around " + std::to_string(whole) +
+      ", expected these to be full");
+  }
+}
+
 /// Adds triangles and bodies. Strips beyond tips are steps if they are higher than gaps that may be closed.
 void Describe(const SealedComplex& complex, const ModelSheets& sheets, double thinnest, double gap, SealedModel& model)
 {
@@ -656,6 +679,7 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
   model.Vertices = complex.Vertices;
   constexpr double thinnest = 1e-3; // columns
   Describe(complex, sheets, thinnest * column, improver.LineError, model);
+  RequireFull(input, model.Bodies);
   model.Blocks = sheets.BlocksOfLabels();
   model.Guessed = sheets.Guessed();
   model.Accounts = sheets.Accounts;
