@@ -7,7 +7,7 @@
  * The input is a vtkPointSet or a vtkTable, as from ParaView's readers of CSV or LAS files, or from a Calculator. The
  * coordinates of points are x, y and z. Other arrays, and those of a table, are taken by their names: "X" or "Easting",
  * "Y" or "Northing", "Z", "Depth" or "Time", "Inline" or "IL", "Crossline" or "XL", "Name" or "Horizon" and the like
- * (Documentation/HorizonFromPoints.md has all); or by those that the properties give. Other numbers become attributes;
+ * (Documentation/HorizonSources.md has all); or by those that the properties give. Other numbers become attributes;
  * arrays of several components become one for each, "Normals_0" and so on. Ghost points are left out.
  *
  * @sa vtkHorizonTextReader vtkHorizonFromImage

@@ -43,7 +43,7 @@ public:
   /**
    * Where the lattice comes from. FromPoints: line numbers, x and y, or both. CornerPoints: line numbers and
    * coordinates of three points. OriginAndSteps: a column and the steps to its neighbours. NoLattice: picks stay at x
-   * and y, as guides and limits of an extraction, which no other stage takes. See "Lattice" in HorizonTextReader.md.
+   * and y, as guides and limits of an extraction, which no other stage takes. See "Lattice" in HorizonText.md.
    * Default: FromPoints.
    *
    * Points must agree with a lattice that is given.
@@ -102,7 +102,7 @@ public:
    * Which of several points in one column is kept; with Gridding, of several at one position. StrongestAmplitude: the
    * one with the largest absolute value of the attribute Amplitude, then the topmost. Topmost, Lowest: by height.
    * Sheets: all, as at reverse faults. Mean: one with the means of z and of attributes, as where surveys overlap. See
-   * "Duplicates" in HorizonTextReader.md. Default: StrongestAmplitude.
+   * "Duplicates" in HorizonText.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
@@ -110,7 +110,7 @@ public:
 
   /**
    * Makes a horizon of picks off any lattice, such as 2D lines, wells or scattered points. Plate: a thin plate near all
-   * of them. Nearest: each column has the z of the nearest pick. See "Gridding" in HorizonTextReader.md. Default:
+   * of them. Nearest: each column has the z of the nearest pick. See "Gridding" in HorizonText.md. Default:
    * NoGridding.
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.

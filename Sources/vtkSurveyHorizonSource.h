@@ -51,7 +51,7 @@ public:
 
   /**
    * The length of a vertical index, the unit of errors and thresholds. 0: chosen for each horizon. See "Vertical
-   * indices" in HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
+   * indices" in HorizonText.md. Unit: that of z. Range: finite, at least 0. Default: 0.
    *
    * The default is the median of the nonzero differences in z between neighbouring columns, rounded to 1, 2 or 5 times
    * a power of ten; 1 if there are none.
@@ -61,7 +61,7 @@ public:
   /**
    * The direction of world z in which z of the data increases: Down for time and depth, Up for elevation. Automatic: Up
    * for elevations, by their format (GeoTIFF, BAG, DEM, Esri ASCII) or name, and if no z is positive, as Petrel writes
-   * depths; else Down. See "Vertical direction" in HorizonTextReader.md. Default: Automatic.
+   * depths; else Down. See "Vertical direction" in HorizonText.md. Default: Automatic.
    *
    * The description has the direction and the reason; if most z, but not all, are negative, there is a warning.
    */

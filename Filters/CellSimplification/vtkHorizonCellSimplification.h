@@ -8,7 +8,7 @@
  * loops, unchanged, then the representatives of cells. PointCount is summed: it is the number of points of the original
  * horizon that a point represents. At a barycentre, floating-point arrays and VerticalIndex (then double) are averaged,
  * weighted by PointCount; all other arrays are labels, taken from the nearest of the merged points. Its properties are
- * on HorizonRoughSimplification.md.
+ * on HorizonCellSimplification.md.
  *
  * New point data: CellOrigin (int, components Level, Ring, Kind): how often the cell was halved; its ring, from 1 at
  * the boundary, 0 without rings; and 0 for a boundary point, 1 for a barycentre, 2 for a point of the input.

@@ -7,7 +7,7 @@
  * Input: the points of two or more horizons of one survey, as composite datasets or several connections. They are on
  * one lattice, or on lattices whose steps are whole multiples of the smallest one, such as every second line. With
  * several processes, each reads all horizons, and the first one has the result. Its properties are on
- * HorizonCrossings.md.
+ * HorizonLayers.md.
  *
  * @sa vtkHorizonLayers vtkHorizonCrossings
  */

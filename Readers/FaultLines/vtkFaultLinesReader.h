@@ -6,7 +6,7 @@
  *
  * Reads tables of points, as those of OpendTect, Kingdom, DUG and spreadsheets, GOCAD PLine (.pl), ZMAP+ points and
  * polygons, CPS-3 lines (.flt), IRAP and RMS polygons (.pol), sticks of Charisma and sticks and boundaries of IESX,
- * recognised by content (Documentation/FaultLinesReader.md).
+ * recognised by content (Documentation/FaultLines.md).
  *
  * The output is a vtkPolyData with a polyline per line of the files, in double precision. World z is that of the file,
  * negated if it increases downwards. Cell data, if the file has them: FaultName (text), the name of the fault, and
@@ -58,7 +58,7 @@ public:
 
   /**
    * What the columns of a table hold: X, Y, Z, Fault, Stick, Node, or - or _ to skip one. Empty: found from the
-   * header or the values. See "Columns" in FaultLinesReader.md. Range: names, separated by commas, or by blanks if there
+   * header or the values. See "Columns" in FaultLines.md. Range: names, separated by commas, or by blanks if there
    * is no comma. Default: empty.
    */
   vtkHorizonTextMacro(Columns);

@@ -4,7 +4,7 @@
  * @class   vtkGOCADTSurfReader
  * @brief   reads triangulated surfaces from a GOCAD file (.ts)
  *
- * Reads the objects of type TSurf in a text file and skips others (Documentation/GOCADTSurfReader.md).
+ * Reads the objects of type TSurf in a text file and skips others (Documentation/GOCADTSurf.md).
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected surface, in the order of
  * the file, under its name. A surface without a name is "TSurf <n>", where n counts surfaces from 1; repeated names get

@@ -5,7 +5,7 @@
  * @brief   reads a horizon from a grid file of a gridding program
  *
  * Reads grids of IRAP (classic ASCII and binary), STORM, ZMAP+, CPS-3, EarthVision, Surfer 6 and 7, GXF and Esri
- * (ASCII), recognised by content, never by extension (Documentation/HorizonGridFormats.md). Rotation, flipped axes and
+ * (ASCII), recognised by content, never by extension (Documentation/HorizonGrid.md). Rotation, flipped axes and
  * node positions are kept; nodes without a value are left out and counted in DroppedNulls.
  *
  * The horizon is named as in the file, else after the file. Each process reads the whole file. The peak of memory is 24

@@ -8,7 +8,7 @@
  * name of the horizon. Files have no header, a line of names, or many lines of header; fields are separated by blanks,
  * tabs, commas or semicolons. Formats of OpendTect, IESX (GeoQuest), Charisma, OpenWorks, EarthVision (scattered data),
  * Petrel (points with attributes) and RMS (attributes) are recognised by content, unnamed columns by their values
- * (Documentation/HorizonTextReader.md). If that fails, set Columns.
+ * (Documentation/HorizonText.md). If that fails, set Columns.
  *
  * The file is read once, or twice if it has several horizons and their list is requested; each process reads the whole
  * file. The peak of memory is 8 bytes per number of a pick, plus 16 bytes per pick.
@@ -53,14 +53,14 @@ public:
 
   /**
    * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or - or _ to
-   * skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
+   * skip one. Empty: found from the header or the values. See "Columns" in HorizonText.md. Range: names,
    * separated by commas, or by blanks if there is no comma. Default: empty.
    */
   vtkHorizonTextMacro(Columns);
 
   /**
    * Numbers and words that mean no value, besides the usual ones. Points without z are left out and counted in the
-   * field data DroppedNulls. See "No value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or
+   * field data DroppedNulls. See "No value" in HorizonText.md. Range: numbers and words, separated by blanks or
    * commas. Default: -999.25 -99999 9999900.
    */
   vtkHorizonTextMacro(NullValues);

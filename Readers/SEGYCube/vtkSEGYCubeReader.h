@@ -5,7 +5,7 @@
  * @brief   reads a post-stack seismic cube, or a line of one, from a SEG-Y file
  *
  * Each trace is placed by its inline and crossline numbers, so lines may be missing, truncated or in any order. The
- * header bytes of line numbers and coordinates are found (Documentation/SEGYCubeReader.md) or set. Samples are IBM or
+ * header bytes of line numbers and coordinates are found (Documentation/SEGYCube.md) or set. Samples are IBM or
  * IEEE floats or integers, in either byte order.
  *
  * The first output is one vtkImageData: crosslines along i, inlines along j, samples along k, as in the lattice of

@@ -5,7 +5,7 @@
  * @brief   reads horizons from a sparse-matrix file (.vsm)
  *
  * The file lists the voxels of horizons, column by column of a lattice of nX x nY x nZ cells, each with a vertical
- * index, a surface ID, a thickness, an amplitude and a real z (Documentation/FileFormat.md).
+ * index, a surface ID, a thickness, an amplitude and a real z (Documentation/VerneySparseMatrix.md).
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, by ascending
  * surface ID, named "Horizon <ID>": a vtkPolyData with one point and one vertex cell per voxel. With OutputType Images
@@ -107,7 +107,7 @@ public:
 
   /**
    * For files larger than memory: lists the horizons in one pass, then reads only selected horizons and rows. Not for
-   * volumes. See "Files larger than memory" in VerneySparseMatrixReader.md. Default: off.
+   * volumes. See "Files larger than memory" in VerneySparseMatrix.md. Default: off.
    *
    * The list has the number of points of each horizon in each row, and is kept for other rows and horizons.
    */
@@ -127,7 +127,7 @@ public:
   /**
    * What horizons become. Points: points in space, the input of the stages. Images: maps at z = 0. Volume: all horizons
    * in one image. For the last two, ColumnStep and RowStep must be perpendicular. See "Output" in
-   * VerneySparseMatrixReader.md. Default: Points.
+   * VerneySparseMatrix.md. Default: Points.
    *
    * One vtkPolyData or vtkImageData per horizon, or one vtkImageData for a volume; GetOutput() gives null for a volume,
    * use GetOutputDataObject(0).
@@ -160,7 +160,7 @@ public:
 
   /**
    * World z of points. VerticalIndex: from the index, Origin and VerticalStep. RealZ: the time or depth in the file.
-   * Stages measure in the lattice in both cases. See "World coordinates" in VerneySparseMatrixReader.md. Default:
+   * Stages measure in the lattice in both cases. See "World coordinates" in VerneySparseMatrix.md. Default:
    * VerticalIndex.
    *
    * With RealZ, LatticeToWorld has the straight line that best fits real z to the vertical index, over all voxels in
@@ -221,7 +221,7 @@ public:
    * Which of several voxels of a horizon in one column is kept. StrongestAmplitude: the one with the largest absolute
    * amplitude, then the topmost. Topmost, Lowest: by vertical index. Sheets: all, as at reverse faults; not with
    * LeastMemory. Mean: one with their means; its vertical index is rounded. See "Sheets" in
-   * VerneySparseMatrixReader.md. Default: StrongestAmplitude.
+   * VerneySparseMatrix.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */

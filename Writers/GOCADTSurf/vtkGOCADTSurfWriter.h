@@ -4,7 +4,7 @@
  * @class   vtkGOCADTSurfWriter
  * @brief   writes horizon meshes as triangulated surfaces of GOCAD (.ts)
  *
- * Each horizon becomes an object of type TSurf, all in one text file (Documentation/GOCADTSurfWriter.md). It has the
+ * Each horizon becomes an object of type TSurf, all in one text file (Documentation/GOCADTSurf.md). It has the
  * name of its block, else "Horizon <ID>" by the surface ID of its first point, else the name of the file without
  * extension; repeated names get " (2)" and so on. Horizons without points are left out.
  *
@@ -61,7 +61,7 @@ public:
 
   /**
    * Which point arrays become properties of vertices. NoArrays: none. PickArrays: the attributes of picks, such as
-   * Amplitude, but not arrays of the stages. AllArrays: all, such as Distance. See "Attributes" in GOCADTSurfWriter.md.
+   * Amplitude, but not arrays of the stages. AllArrays: all, such as Distance. See "Attributes" in GOCADTSurf.md.
    * Default: PickArrays.
    *
    * A property has the components of the array. No value is -99999, or a number with more nines if the array has that

@@ -8,7 +8,7 @@
  * "reek_Top.stl" for "reek.stl". Horizons without points are left out.
  *
  * .vtp has all of a horizon: arrays, points and outlines. The others have triangles only, z upwards, in double
- * precision: .stl and .obj as text, .ply as binary (Documentation/HorizonMeshWriter.md).
+ * precision: .stl and .obj as text, .ply as binary (Documentation/Formats.md).
  *
  * @sa vtkGOCADTSurfWriter vtkHorizonDXFWriter
  */

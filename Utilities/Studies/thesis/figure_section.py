@@ -11,7 +11,7 @@ SECTION = """\
 
 Compare sizes, not places, since the surfaces differ. Distances are at the points of the input, from pale (0) to dark
 (the 99th percentile of the row). Further figures: [outlines](HorizonExteriorBoundary.md),
-[elaborate simplification](HorizonElaborateSimplification.md).{missing}
+[elaborate simplification](HorizonCellSimplification.md).{missing}
 
 {figures}"""
 

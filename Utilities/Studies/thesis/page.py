@@ -39,7 +39,7 @@ Medians of here / thesis over the surfaces, in the last three rows also over the
 {thesis_table}
 - *Rough.* {contradiction}
 - *Elaborate.* The thesis gives no values for its boundary thresholds ([our
-  interpretation](HorizonElaborateSimplification.md#method)), and one number for alone and after rough.
+  interpretation](HorizonCellSimplification.md#method)), and one number for alone and after rough.
 - *Errors.* Our largest are at single voxels of noise and along the outline; in the thesis they grow with cells and
   flatness.
 
