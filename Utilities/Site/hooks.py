@@ -33,7 +33,7 @@ def on_files(files, config):
     for file in list(files):
         if file.src_path.startswith("Example/"):
             files.remove(file)
-    for name in TOP_PAGES:
+    for name in (*TOP_PAGES, *config["extra_css"]):
         add(files, name, config)
     for path in sorted(TREE.glob(PICTURES)):
         add(files, path.relative_to(TREE).as_posix(), config)
