@@ -142,7 +142,7 @@ def add_preparation_options(group):
                        "through the fault sticks of these files, and write these surfaces; lines without the name of a fault "
                        "have that of their file if there are several")
     group.add_argument("--fault-formats", action=AddToList, values=FAULT_FORMATS, default=[], metavar="LIST", help="also write "
-                       "the fault lines of each horizon: tables (dat, csv), GOCAD (pl) and GeoPackage (gpkg)")
+                       "the fault lines of each horizon: tables (dat, csv), GOCAD (pl) and GeoPackage (gpkg) (default: none)")
     group.add_argument("--cutoffs", action="store_true", default=NOT_GIVEN, help="find where horizons meet faults: tables of throws and "
                        "of the layers that meet (csv), and cutoffs and fault polygons in --fault-formats (default: dat)")
     group.add_argument("--fault-dip", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="D", help="dip of faults of --cutoffs "

@@ -52,7 +52,7 @@ def make_parser(prog=NAME, tell=None):
     parser = Parser(
         tell, prog=prog, add_help=False, formatter_class=screens.Formatter, usage="%(prog)s [options] INPUT...",
         description=screens.SUMMARY + " Reads picks of OpendTect, Petrel, OpenWorks, IESX and others, and grids as IRAP, "
-        "ZMAP+, CPS-3, EarthVision, Surfer, GXF, GeoTIFF and others; formats are recognized by their content. Writes a mesh "
+        "ZMAP+, CPS-3, EarthVision, Surfer, GXF, GeoTIFF and others; formats are recognised by their content. Writes a mesh "
         "per horizon and a picture per file, and prints how each file was read, and a table. Existing files are replaced.",
         epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv for "
         "x.vsm or x.dat; x_dat.png if there is also x.map; a_x.png for a/x.vsm and b_x.png for b/x.vsm. The results of a file "
