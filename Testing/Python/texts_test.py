@@ -212,6 +212,11 @@ class TextsTest(unittest.TestCase):
                 for page in ("One.md", "Two.md")}
         self.assertEqual(rows, {"One.md": 0, "Two.md": 1})
         self.assertIn("RowWidth", self.panel()["One"])
+        (FOLDER / "Documentation" / "One.md").unlink()
+        self.write("Documentation/Two.md", PAGE % "Two" + PAGE % "One")
+        self.run_program("pages").check_returncode()
+        text = (FOLDER / "Documentation" / "Two.md").read_text(encoding="utf-8")
+        self.assertEqual((text.count("| RowWidth |"), text.count("| Kind |")), (1, 2))
 
     def test_another_default_in_each_class_keeps_a_property_on_both_pages(self):
         self.write("Filters/vtkBase.h", BASE.replace(" *\n */", " *\n * Its properties are on Two.md.\n */"))

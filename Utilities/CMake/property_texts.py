@@ -20,8 +20,8 @@ The page of a proxy has a line '<!-- HorizonSurface -->' with its name, and belo
 properties. Properties of a base have a table of their own, and the pages of its proxies link to it if it is on another
 one. A proxy without properties of its own has no table.
 
-If the comment of a base class says 'Its properties are on HorizonSurface.md.', its properties are only in the table of
-that page, and other pages link to it. A property whose default differs between classes is on the page of each class.
+If the comment of a base class says 'Its properties are on HorizonSurface.md.', its properties are only in the first table
+of that page that has them, and other pages link to it. A property whose default differs between classes is on the page of each class.
 
 The plugin has two proxies of each reader: the one in the XML file and a copy under another name. ParaView asks readers
 for a file in alphabetical order of these names and takes the first that accepts it. The copy comes before all readers of
@@ -166,10 +166,10 @@ class Texts:
         """Returns the header with the text of a property; None if it has none."""
         return next((header for header in self.lineage(proxy.class_name) if prop.get("command") in header.texts), None)
 
-    def other_page(self, proxy, prop):
-        """Returns the page that lists a property instead of the page of its proxy; None for most properties."""
+    def base_page(self, proxy, prop):
+        """Returns the page that the base class of a property names; None for most properties."""
         header = self.header_of(proxy, prop)
-        if not header or header.page in (None, proxy.page):
+        if not header or not header.page:
             return None
         return None if " in vtk" in (split_facts(header.texts[prop.get("command")]).default or "") else header.page
 
@@ -251,9 +251,11 @@ class Texts:
 
         return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
 
-    def table(self, proxy):
-        """Returns the table of a proxy; empty without rows."""
-        own = [prop for prop in proxy.own if not self.other_page(proxy, prop)]
+    def table(self, proxy, listed):
+        """Returns the table of a proxy; empty without rows. `listed` has the properties of bases that the page has so far."""
+        own = [prop for prop in proxy.own if self.base_page(proxy, prop) is None
+               or (self.base_page(proxy, prop) == proxy.page and prop.get("command") not in listed)]
+        listed.update(prop.get("command") for prop in own if self.base_page(proxy, prop))
         rows = [row for row in (self.row(proxy, prop) for prop in own) if row]
         lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows if rows else []
         return "".join("| %s |\n" % " | ".join(line) for line in lines)
@@ -270,12 +272,16 @@ class Texts:
                 sys.exit("no page has a line <!-- %s -->, expected one" % on_it[0].name)
             path = self.documentation / page
             text = path.read_text(encoding="utf-8")
-            others = {self.other_page(proxy, prop) for proxy in on_it for prop in proxy.own} - {None}
-            for base in {proxy.base.page for proxy in on_it if proxy.base} - {page} | others:
+            others = {self.base_page(proxy, prop) for proxy in on_it for prop in proxy.own} - {None}
+            for base in ({proxy.base.page for proxy in on_it if proxy.base} | others) - {page}:
                 if "(%s" % base not in text:
                     sys.exit("%s: no link to %s, expected one, as there are more of its properties" % (page, base))
-            yield path, text, re.sub(PLACE + TABLE, lambda place: "<!-- %s -->\n\n%s" % (place[1], self.table(self.proxies[place[1]])), text,
-                                     flags=re.M)
+            listed = set()
+
+            def place(found, listed=listed):
+                return "<!-- %s -->\n\n%s" % (found[1], self.table(self.proxies[found[1]], listed))
+
+            yield path, text, re.sub(PLACE + TABLE, place, text, flags=re.M)
 
     def write_panel(self, folder):
         """Writes the XML files of the plugin with the text of each property; unchanged files are not touched."""
