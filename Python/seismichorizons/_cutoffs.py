@@ -63,14 +63,14 @@ class Diagram:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Cutoffs:
-    """Where horizons meet faults, as `cutoffs` finds it.
+    """The lines where horizons meet faults, from `cutoffs`.
 
     Attributes
     ----------
     names : list of str
         Of the faults.
     lines : dict of Lines by horizon
-        Names are those of faults, sticks "footwall" and "hanging wall".
+        Named by fault, with the sticks "footwall" and "hanging wall".
     profiles : dict of lists of Profile by horizon
         One for each line.
     polygons : dict of Lines by horizon
@@ -112,22 +112,25 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
     Parameters
     ----------
     horizons : Horizon, or dict or list of Horizon
-        Of one vertical domain and unit.
+        In one vertical domain and unit.
     faults : Faults, dict of Faults by horizon, Lines, list of arrays, or dict of Mesh by fault
-        Cuts of the horizons, of which faults of one name are one, but for those that were detected; or sticks, as of
-        `read_faults`; or surfaces.
+        Cuts of the horizons, where supplied faults of the same name are one fault and detected ones are separate; or
+        sticks, as from `read_faults`; or surfaces.
     dip : float
-        Of faults that are known from one horizon only, in degrees; 0: from the gap of picks; without one it is unknown, and so is the heave.
+        Dip of faults known from one horizon only, towards the downthrown side, in degrees; 0: from the gap between picks;
+        without one, dip and heave are unknown.
     drop_distance : float
-        Picks nearer to a fault are not used, in columns.
+        Picks closer to a fault, in columns, are ignored.
     drop_noise : float
-        Picks beside a fault that are off those farther away by more standard deviations are not used; 0: all are.
+        Picks beside a fault are ignored if they deviate by more standard deviations of noise from those farther away; 0:
+        all are used.
     largest_gap : float
-        How far horizons are continued to a fault, in columns.
+        How far horizons are continued to a fault, and interpolated along it, in columns.
     smallest_length : float
-        Horizons that a fault cuts over less are uncut there, in columns.
+        Shorter cuts of a horizon by a fault, in columns, are ignored.
     largest_error : float or str, optional
-        Of simplified lines, in the unit of z or with a unit; by default six times the noise of each horizon.
+        Largest vertical error of simplified lines, in the unit of z or with a unit; by default six times the noise of
+        each horizon.
     progress : callable, optional
 
     Returns

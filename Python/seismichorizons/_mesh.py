@@ -51,7 +51,7 @@ class Ledger:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Mesh(WithAttributes):
-    """A triangle mesh of a horizon, as `surface` and `read` make it; also points with outlines alone, before they are meshed.
+    """A triangle mesh of a horizon, from `surface` or `read_mesh`; also points with only their outlines, before they are meshed.
 
     Attributes
     ----------
@@ -64,10 +64,9 @@ class Mesh(WithAttributes):
         Attributes of the horizon: the mean over the points that a vertex represents, or the nearest for whole numbers;
         `mesh["name"]` gives one as well.
     errors : float64 array of m
-        The largest vertical distance of a point of the horizon from each triangle, in the unit of z; nan where it was not
-        measured.
+        Largest vertical distance of horizon points from each triangle, in the unit of z; nan if not measured.
     quality : float32 array of m
-        Shape of each triangle in plan, from 0 to 1 for equal edges.
+        Shape of each triangle in map view, from 0 to 1 for equal edges.
     outlines : list of int32 arrays
         Points of each closed outline, those of holes included; the surface is to the right.
     patches : int32 array of n
@@ -77,8 +76,8 @@ class Mesh(WithAttributes):
     columns : int32 array of shape (n, 2)
         Column and row of the lattice of each point; -1 for the mean of several.
     largest_error, mean_error : float
-        Vertical distances of points of the horizon from the mesh, in the unit of z; the largest includes points on outlines.
-        nan where they were not measured.
+        Vertical distances of horizon points from the mesh, in the unit of z; the largest includes points on outlines. nan
+        if not measured.
     details : dict
         Other figures: chosen parameters, moves of outlines, the smallest angle in degrees.
     ledger : Ledger

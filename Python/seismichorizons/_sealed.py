@@ -26,14 +26,14 @@ from ._units import height
 
 @dataclasses.dataclass(eq=False, repr=False)
 class SealedModel:
-    """Layers between faults as closed bodies, as `sealed` makes them. All surfaces share the points of their common lines.
+    """Closed bodies of the layers between faults, from `sealed`. Surfaces share the points where they meet.
 
     Attributes
     ----------
     points : float64 array of shape (n, 3)
         x, y and z of the world, z upwards.
     triangles : int array of shape (m, 3)
-        Of horizons counter-clockwise seen from above, of faults from the hanging wall.
+        Counter-clockwise seen from above for horizons, and from the hanging wall for faults.
     surface : list of str of m
         The horizon, fault or wall of each triangle.
     surface_type : uint8 array of m
@@ -41,20 +41,20 @@ class SealedModel:
     body_above, body_below : int32 arrays of m
         Bodies before and behind each triangle, by number; -1 outside.
     guessed : uint8 array of n
-        0 near picks, 1 continued, 2 by another horizon.
+        0 near picks, 1 continued, 2 taken from another horizon.
     names : list of str
-        Of the bodies: layer and block, such as "Top to Base, F1 footwall".
+        Layer and block of each body, such as "Top to Base, F1 footwall".
     bodies : list of Mesh
-        The closed surface of each body, which faces outwards.
+        The closed surface of each body, facing outwards.
     lines : Lines
-        Where surfaces meet, with the kind as name: cutoff, branch, trace, tip, outline, pinch-out or edge.
+        The lines where surfaces meet, named by kind: cutoff, branch, trace, tip, outline, pinch-out or edge.
     figures : dict of arrays
         A value for each body: layer, block, volume, area.
     areas : dict of arrays
         A value for each pair of layers that meet at a fault: fault, footwall, hanging_wall, area.
     picks : dict of arrays
-        What became of the picks of each horizon: used, beside_faults, not_agreeing, doubled, outside; of those used, moved and
-        largest_move; and columns of the horizon, and those without a pick, continued.
+        Fate of the picks of each horizon: used, beside_faults, not_agreeing, doubled, outside; of those used, moved and
+        largest_move; the columns of the horizon, and those without a pick, continued.
     """
 
     points: Floats
@@ -113,20 +113,23 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     faults : Faults, dict of Faults by horizon, Lines, list of arrays, or dict of Mesh by fault
         As of `cutoffs`.
     endings : str
-        Which fault ends at which, as "F2 > F1; F3 > F1"; by default a fault ends at those that it lies beside, and of two that
-        cross, the smaller one ends, on each side. With an entry, faults that cross need one.
+        Which fault ends at which, as "F2 > F1; F3 > F1", for all that cross; by default faults end at those beside them,
+        and of two that cross, the smaller ends, on each side.
     end_distance : float
-        A fault that reaches less beyond another one ends there, in columns.
+        A fault that extends less beyond another, in columns, ends there.
     unconformities : str
-        Names of horizons, with semicolons between them, that faults end at from below.
+        Names of horizons, separated by semicolons, at which faults end from below, unless over a tenth of the fault is
+        above.
     tips : "sticks" or "through"
-        Whether faults that reach no wall or other fault die out where their sticks end, as slits in bodies, or go on.
+        "sticks": faults die out half a stick spacing beyond their sticks, or at their tip loop, unless what they end at
+        is within `end_distance`; "through": they continue to walls and other faults.
     outline : "box" or "picks"
-        Where the walls are: around the columns that all horizons have, or along the outline of all picks there.
+        Walls around the columns that all horizons have, or around all picks in this box, with few corners.
     dip, drop_distance, drop_noise : float
         As of `cutoffs`.
     largest_error : float or str, optional
-        Of picks, in the unit of z or with a unit; by default six times the noise of the roughest horizon.
+        Largest vertical error at picks, in the unit of z or with a unit; by default six times the noise of the roughest
+        horizon.
     progress : callable, optional
 
     Returns

@@ -24,20 +24,20 @@ from ._units import height
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Layers:
-    """Volumes of the layers between horizons, as `layers` makes them. They share points, so that no gap is between them.
+    """Volumes of the layers between horizons, from `layers`. They share points, without gaps.
 
     Attributes
     ----------
     names : list of str
-        Of the layers, the uppermost first, such as "Top to Base".
+        Names of the layers, uppermost first, such as "Top to Base".
     points : float64 array of shape (n, 3)
         x, y and z of the world, z upwards.
     cells : dict of int64 arrays of shape (m, corners) by number of corners
         Tetrahedra (4), pyramids (5) and wedges (6), each kind in the order of VTK.
     layer, sublayer, thickness, volume : dict of arrays by number of corners
-        Number of the layer and of the sublayer in it, mean thickness and volume of each cell.
+        Layer, sublayer within it, mean thickness and volume of each cell.
     bodies : dict of Mesh
-        The closed surface of each layer, which faces outwards.
+        The closed surface of each layer, facing outwards.
     horizons : dict of Mesh
         The horizons on the common triangulation.
     figures : dict of arrays
@@ -202,44 +202,44 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
     Parameters
     ----------
     horizons : dict or list of Horizon
-        Two or more of one survey, on one lattice or on lattices whose steps are multiples of the smallest.
+        Two or more of one survey, on one lattice or on lattices with multiples of the smallest steps.
     largest_error : float or str, optional
-        The largest vertical distance of a point of any horizon from the layers, in the unit of z or with a unit; by default six
-        times the noise of the horizon that has the most.
+        Largest vertical distance of horizon points from the layers, in the unit of z or with a unit; by default six times
+        the noise of the noisiest horizon.
     crossings : "mean", "upper_wins", "lower_wins" or "stop", or a list of these for each layer
-        What happens where horizons cross: both move to their mean, the lower or the upper one moves, or an error.
+        What happens where horizons cross: they move to their mean, which suits noise; the lower one moves, as if eroded;
+        the upper one moves, as in onlap; or an error.
     minimum_thickness : float or str
-        Where a layer is thinner, it is absent.
+        Thinner layers are absent: their horizons merge.
     order : "by_height" or "as_given"
-        Which horizon is above which: by mean heights, or from the first one down.
+        Order of horizons: by mean heights in common columns, or as given, uppermost first.
     domain : "each_layer" or "common"
-        Layers are where both their horizons are, or where all horizons are.
+        Extent of layers: where both their horizons are, or where all horizons are.
     missing : "follow", "interpolate" or "void"
-        Where a horizon has no points: holes and gaps are closed, and between others it follows the nearer one; these are closed
-        alone; or both layers beside it are absent.
+        Where a horizon has no points: its holes and gaps are closed, and between two others it follows the nearer one;
+        only holes and gaps are closed; or layers beside it are absent.
     largest_hole_size, largest_gap : int
-        Holes of up to this number of columns, and gaps of up to this width, are closed.
+        Enclosed holes of up to this number of columns, and gaps up to this width, are closed.
     bound_thickness : bool
-        Bounds the error of the thickness, too.
+        Keeps thickness within the error, too; otherwise within twice that, with fewer cells.
     keep_outlines : bool
-        Outlines of the common domain stay as they are on the map.
+        Keeps outlines of the common domain unchanged in map view.
     pinch_out_lines : bool
-        Layers end along lines; otherwise in thin feathers.
+        Ends layers at lines; otherwise in thin feathers.
     smallest_pinch : int
-        The smallest area without a layer that has such a line, in columns.
+        Smallest area without a layer, in columns, that gets such a line.
     effort, smallest_angle, edge_length, edge_growth, fit_heights
         As in `surface`.
     sublayers : int or list of int for each layer from the uppermost on
-        Each layer is divided into this number of sublayers, which are equally thick at each point on the map, and end where it
-        ends.
+        Sublayers of equal thickness: one number for all layers, or one each.
     largest_sublayer_thickness : float or str
-        Layers get more sublayers until none is thicker, in the unit of z or with a unit; 0: any.
+        Sublayers are added until none is thicker, in the unit of z or with a unit; 0: no limit.
     tetrahedra : bool
-        All cells are split into tetrahedra, which fit those of neighbours.
+        Splits all cells into tetrahedra, a conforming mesh of the same volume.
     contact : float, optional
-        z, in the direction of the horizons, of a level contact: `figures` get the volume above it.
+        z of a level fluid contact, in the direction of the horizons; adds the volume above it to `figures`.
     faults : dict of Faults by name of the horizon, optional
-        Where layers are divided.
+        Faults that divide layers.
     progress : callable, optional
 
     Returns
@@ -283,7 +283,7 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
 
 def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings: str | Sequence[str] = "mean", minimum_thickness: float | str = 0.0,
               order: str = "by_height", progress: Progress | None = None) -> dict[str, Horizon]:
-    """Puts horizons that cross in order, column by column.
+    """Puts crossing horizons in order, column by column.
 
     Parameters
     ----------
@@ -294,7 +294,7 @@ def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings:
     Returns
     -------
     dict of Horizon
-        The uppermost first, with all points and the attribute Moved: how far each was moved, in the direction of z.
+        Uppermost first, with all points and the attribute Moved, the distance that each was moved in the direction of z.
     """
     given, named = named_horizons(horizons, "crossings")
     names, made = call("crossings", _core.crossings, named, _stack_options(given, crossings, minimum_thickness, order), progress)
@@ -305,7 +305,7 @@ def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Distance:
-    """Distances between two surfaces, as `distance` measures them, in the unit of x, y and z.
+    """Distances between two surfaces, from `distance`, in the unit of x, y and z.
 
     Attributes
     ----------
@@ -314,7 +314,7 @@ class Distance:
     of_reference, of_mesh : float64 arrays
         Distance in space of each point of the reference, and of the mesh, from the other surface; negative below it.
     vertical_of_reference, vertical_of_mesh : float64 arrays
-        How far each point is above the other surface; nan where that is not above or below.
+        Height of each point above the other surface; nan if that has nothing above or below.
     details : dict
         All figures, by name: arrays of (reference to mesh, mesh to reference, both).
     """
@@ -336,20 +336,21 @@ class Distance:
 
 def distance(reference: Any, mesh: Any, *, samples_per_point: float = 2.0, seed: int = 1, radius: int = 1, include_filled: bool = False,
              progress: Progress | None = None) -> Distance:
-    """Measures the distances between a horizon and a mesh, or between two meshes, as Metro does.
+    """Measures the distances between a horizon and a mesh, or between two meshes, both ways.
 
     Parameters
     ----------
     reference, mesh : Horizon, Mesh, pyvista.PolyData or (points, triangles)
-        In one coordinate system, z of points upwards. A horizon is meshed with all its points.
+        In one coordinate system, with z of points upwards. A horizon is meshed with all its points.
     samples_per_point : float
-        Density of the samples for the means, from 0.01 to 1000.
+        Samples on each surface per point of the larger one, from 0.01 to 1000. More make means and percentiles more
+        exact.
     seed : int
         Of the samples.
     radius : int
-        The largest gap of the reference that is meshed, in columns.
+        Radius of the outlines of a reference that is a horizon, in columns.
     include_filled : bool
-        Figures include filled points.
+        Includes filled points in figures.
     progress : callable, optional
 
     Returns

@@ -41,7 +41,7 @@ def given_options(**options: Any) -> dict[str, Any]:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Faults:
-    """Faults of a horizon, as `faults` finds them.
+    """Faults of a horizon, from `faults`.
 
     Attributes
     ----------
@@ -50,17 +50,17 @@ class Faults:
     lines : int32 array of n
         Number of the line of each link.
     names : list of str
-        The fault of each line, "fault 1" and so on where it has no name.
+        The fault of each line; "fault 1" and so on if it has no name.
     throws : float64 array of n
         z beyond each link, to the east or north, minus z before it; nan without a point nearby.
     noise : float
         Standard deviation of differences between neighbours, in the unit of z.
     smallest_throw : float
-        That a fault reaches somewhere, in the unit of z.
+        The throw that a fault must reach somewhere, in the unit of z.
     traces : Lines
         The lines on the horizon, half way between columns, with the names of given faults.
     surfaces : dict of Mesh
-        The surface of each fault, by name, where sticks were given.
+        The surface of each fault, by name, if sticks were given.
     horizon : Horizon
         Without the points inside given polygons.
     """
@@ -96,36 +96,36 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
            smallest_branch: int = 10, largest_gap: int = 5, largest_ramp: int = 7, join_through_holes: bool = True,
            lines: Any = None, are_sticks: bool = False, extend_sticks: bool = False, polygons: str = "blank", detect: bool | None = None,
            progress: Progress | None = None) -> Faults:
-    """Finds faults in the heights of a horizon, or takes those of lines.
+    """Detects faults in a horizon, or uses fault lines that you supply.
 
     Parameters
     ----------
     horizon : Horizon
     smallest_throw : float or str, optional
-        The throw that a fault must reach somewhere, in the unit of z or with a unit; by default eight times the noise of
-        heights.
+        Throw that a fault must reach somewhere; it is followed down to half of this. In the unit of z or with a unit; by
+        default eight times the noise.
     noise : float or str, optional
-        Standard deviation of differences between neighbours; measured by default.
+        Standard deviation of noise in height differences between neighbouring columns; measured by default.
     smallest_extent : int
-        The least extent of a fault, in columns.
+        Smallest extent of a fault, in columns along either axis.
     smallest_branch : int
-        Branches of fewer links are dropped.
+        Branches with fewer faulted links are dropped.
     largest_gap : int
-        Missing columns in a row that faults are followed across.
+        Most missing columns in a row that a fault may cross.
     largest_ramp : int
-        Faults may bend the surface over this number of columns; 0 finds steps alone.
+        Widest ramp to treat as a fault, cut in the middle, in columns; 0: steps only.
     join_through_holes : bool
-        Joins lines that end at a hole and point to each other.
+        Joins fault lines across a hole if they point to each other and have similar throws.
     lines : Lines, list of Lines, or list of arrays of shape (n, 3), optional
-        Traces, polygons or sticks of faults in the coordinates of the horizon: `read_faults` reads some.
+        Fault traces, polygons or sticks in the coordinates of the horizon, as from `read_faults`.
     are_sticks : bool
-        The lines are sticks, from section to section, and not traces on the map. Arrays are sticks of one fault.
+        The lines are sticks down faults, not traces in map view. Arrays are sticks of one fault.
     extend_sticks : bool
-        Continues surfaces of sticks by half an interval on both sides.
+        Extends the surfaces of sticks at both ends by the last stick spacing.
     polygons : "blank", "cut" or "leave"
-        Points inside closed lines are left out; or the horizon is cut along them; or they are ignored.
+        Points inside fault polygons are dropped; or stay, as islands; or polygons have no effect.
     detect : bool, optional
-        Whether faults are found in heights; by default if there are no lines.
+        Detects faults from the heights; by default if there are no lines.
     progress : callable, optional
 
     Returns
@@ -159,16 +159,16 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
 
 def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, faults: Faults | None = None,
              progress: Progress | None = None) -> Lines:
-    """Contours of a horizon or a mesh, at multiples of an interval.
+    """Contours a horizon or a mesh, at multiples of an interval.
 
     Parameters
     ----------
     surface : Horizon or Mesh
-        Contours of a mesh are smoother. Points of a horizon are joined to a surface between neighbouring columns.
+        Contours of a mesh are smoother. Points of a horizon are joined between neighbouring columns.
     interval : float or str, optional
-        In the unit of z or with a unit; by default a round one that gives about twelve contours.
+        In the unit of z or with a unit; by default a round one that gives about twelve levels.
     faults : Faults, optional
-        Where the surface between the points of a horizon is open; meshes are open where they were made so.
+        Faults where the surface between points of a horizon is open; meshes have their own.
     progress : callable, optional
 
     Returns
@@ -222,46 +222,45 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
             keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
             seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
-    """Makes a mesh of few triangles within an error.
+    """Makes a mesh with few triangles within an error.
 
     Parameters
     ----------
     horizon : Horizon, or dict of horizons
     largest_error : float or str, optional
-        The largest vertical distance of a point of the horizon from the mesh: in the unit of z, or with a unit, as "2 ms".
-        By default six times the noise of the heights.
+        Largest vertical distance of horizon points from the mesh, in the unit of z or with a unit, as "2 ms"; by default
+        six times the noise.
     triangles : int, optional
-        The largest number of triangles, in place of an error.
+        Largest number of triangles, in place of an error.
     smallest_angle : float
-        No change makes a smaller angle in plan, in degrees, from 0 to 60.
+        Smallest angle in map view that optimisation may create, in degrees, from 0 to 60.
     edge_length : float
-        For an even mesh of triangles that are near equilateral: the longest inner edge, in columns, at least 4; 0 for few triangles.
+        For even, near-equilateral triangles: longest inner edge, in columns, at least 4; 0: off.
     edge_growth : float
-        With an `edge_length`, edges beside outlines and faults are short, and grow by this part of the distance, 0 to 1; 0 for
-        edges alike.
+        Growth of edges per distance from outlines and faults, from at most three columns up to `edge_length`, 0 to 1; 0:
+        `edge_length` everywhere.
     effort : "best" or "fast"
-        "fast" takes about a third of the time, for some more triangles.
+        "best" needs half as many points as "fast", or fewer, in two to four times the time.
     fit_heights : bool
-        Lets inner points leave the heights of their columns, which needs fewer of them.
+        Fits heights of inner vertices to nearby points, for fewer vertices; otherwise vertices are points of the horizon.
     crossing_tolerance : "same", "twice" or "unbounded"
-        How far inner edges may be from lines between neighbouring columns that they cross: as far as points, twice as far,
-        or any distance, where triangles may stand up like spikes.
+        Vertical error of inner edges between columns: that of points, twice that, or any, with spikes between columns.
     radius : int, optional
-        The largest gap between neighbouring points of a patch, in columns; by default the least for nearly all gaps.
+        Largest hop of outlines along each axis, in columns; by default chosen from the spacing of points.
     keep_holes : bool
-        Keeps holes open.
+        Keeps holes open unless too small.
     smallest_hole_size : int, optional
-        Smaller holes, in columns, are closed.
+        Holes with fewer columns strictly inside are closed; by default chosen from radius and outline tolerance.
     minimum_patch_size : int
-        Patches of fewer points are left out.
+        Patches with fewer points are dropped.
     outline_tolerance : float, optional
-        The largest move of outlines on the map, in columns; at most 0.75 by default.
+        Largest distance in map view of a dropped point from its outline, in columns; by default the error, at most 0.75.
     faults : Faults, optional
-        Where the surface is cut open: `faults` finds them.
+        Faults that split the surface, from `faults`.
     close_faults : bool
-        Closes the cuts by steep triangles.
+        Closes cracks at faults with steep triangles.
     seam_rows : (below, above), optional
-        For a part that `join` joins: rows of the lattice that it shares with other parts; -1 for none.
+        Lower and upper rows that this part shares with others, for `join`; -1: none.
     progress : callable, optional
         Gets the fraction that is done; what it raises stops the work.
 
@@ -272,7 +271,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     Raises
     ------
     ValueError
-        For options out of range, and if outlines alone need more triangles.
+        If an option is out of range, or outlines alone need more triangles.
 
     Examples
     --------
@@ -316,7 +315,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
 def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str = "automatic", rim_smoothing: float = 1.0,
                rim_width: int = 3, extrapolation_distance: int = 0, faults: Faults | None = None,
                progress: Progress | None = None) -> Horizon:
-    """Computes heights in holes.
+    """Fills holes with a smooth continuation of the surrounding surface.
 
     Parameters
     ----------
@@ -324,15 +323,17 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     largest_hole_size : int
         Holes of more columns stay open.
     method : "automatic", "plate" or "membrane"
-        A plate continues slopes, a membrane does not; "automatic" is a plate whose smoothing suits the noise.
+        A plate continues slope and curvature of the rim; a membrane stays between its heights; "automatic" is a plate
+        with smoothing and width chosen by roughness.
     rim_smoothing : float
-        How far a plate leaves the heights around a hole; 0 keeps them. "automatic" chooses it.
+        Smoothing of rim noise by a plate; 0: none, for clean data. 1: for autotracked picks. 16: for noise above half a
+        vertical index. "automatic" chooses it.
     rim_width : int
-        Columns around a hole that a plate takes into account.
+        Width of the rim that a plate continues, in columns; more for noisy data.
     extrapolation_distance : int
-        Columns outside are computed within this number of steps.
+        Columns up to this far outside the horizon, within the survey, are also filled.
     faults : Faults, optional
-        Nothing is filled across these.
+        Each side of these is filled independently.
     progress : callable, optional
 
     Returns
@@ -365,17 +366,18 @@ def _changed(horizon: Horizon, data: Any, attributes: Mapping[str, NDArray[Any]]
 
 def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: int = 2, spur_width: int = 0,
             progress: Progress | None = None) -> Horizon:
-    """Leaves out points far from the median around them.
+    """Removes spikes: points far from the median around them.
 
     Parameters
     ----------
     horizon : Horizon
     threshold : float or str, optional
-        The least distance of a spike, in the unit of z or with a unit; by default four times the noise.
+        Points farther above or below the surface through their neighbours are spikes; in the unit of z or with a unit; by
+        default four times the noise.
     radius : int
-        Points within this number of columns are around a point.
+        Reach of the neighbourhood along each axis, in columns; 2: 5 by 5 columns.
     spur_width : int
-        Spurs of at most this width, in columns, are left out, too; 0 keeps them.
+        Widest strips and spurs to remove, in columns; 0: none.
     progress : callable, optional
 
     Returns
@@ -403,7 +405,7 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Thickness:
-    """Thickness between two horizons, as `thickness` measures it.
+    """Thickness between two horizons, from `thickness`.
 
     Attributes
     ----------
@@ -413,7 +415,7 @@ class Thickness:
     least, mean, largest : float
         Of the isochore.
     volume : float
-        Area of all columns times their isochore; crossings count as 0. nan where z is time.
+        Sum over columns of area times isochore; crossings count as 0. nan if z is time.
     columns, left_out, crossings : int
         Columns with both horizons, with one of them, and of negative thickness.
     """
