@@ -28,20 +28,21 @@ class Cube:
     Attributes
     ----------
     values : array of shape (rows, columns, samples)
-        Rows are inlines; nan where there is no sample. Where `known` is False values mean nothing; in a cube of `read_cube` they are 0.
+        Rows are inlines; nan where there is no sample. Where `known` is False, values have no meaning; `read_cube` sets
+        them to 0.
     lattice : Lattice
-        Of the traces; its vertical indices are the samples.
+        The lattice of the traces; its vertical indices are the samples.
     known : bool array of the same shape, or None
         None where all samples are known.
     line : float64 array of shape (rows, columns, 2), or None
         x and y of each trace of a single line, which may leave the lattice; horizons have them as attributes LineX and LineY.
     name : str
     direction : "down" or "up"
-        Where samples go to.
+        Direction in which the sample number increases.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     taken : tuple of str
-        How a file was understood, in lines.
+        How the file was interpreted, in lines.
     """
 
     values: NDArray[Any]

@@ -33,7 +33,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
             leave_out_strays: bool = False, vertical_step: float | None = None, direction: str = "", vertical_unit: str = "",
             vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
             progress: Progress | None = None) -> Any:
-    """Makes a horizon of whatever holds heights.
+    """Makes a horizon from any data that hold heights.
 
     Parameters
     ----------
@@ -53,7 +53,8 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     attributes : dict of arrays, optional
         Other values, of the shape of the heights.
     columns : dict, optional
-        What columns of a table are, where their names do not say it: {"z": "TWT", "x": "E"}; "horizon" names horizons.
+        The meaning of columns of a table, where their names do not give it: {"z": "TWT", "x": "E"}; "horizon" names
+        horizons.
     origin : (x, y), optional
         Place of row 0, column 0 of an array of heights, or of the lattice of points, with both steps.
     spacing : (column, row), optional
@@ -69,7 +70,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     vertical_step : float, optional
         z between vertical indices; by default it suits the heights.
     direction : "down" or "up", optional
-        Where z increases to. Unless the data say it, upwards if no z is above 0 and one is below, as of depths below sea
+        Direction in which z increases. Unless the data give it: upwards if no z is above 0 and one is below, as of depths below sea
         level in negative numbers, or if the data are of PyVista or VTK; otherwise downwards, as time and depth do.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
     progress : callable, optional
@@ -78,7 +79,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     Returns
     -------
     Horizon
-        `taken` says how the data were understood. A dict of horizons by name if a table names several, or with
+        `taken` says how the data were interpreted. A dict of horizons by name if a table names several, or with
         duplicates="sheets".
 
     Raises

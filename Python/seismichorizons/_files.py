@@ -76,7 +76,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     vertical_step : float, optional
         z between vertical indices; by default it suits the heights.
     direction : "down" or "up", optional
-        Where z increases to, if the file does not say it.
+        Direction in which z increases, if the file does not give it.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
         Replace those of the file.
     progress : callable, optional

@@ -31,7 +31,8 @@ class Lattice:
     column_step, row_step : (x, y)
         Steps to the next column and to the next row.
     first_z, vertical_step : float
-        z of vertical index 0, and between vertical indices, in the unit of z. The step is the unit of noise and thresholds.
+        z of vertical index 0, and z between vertical indices, in the unit of z. The step is the unit of noise and
+        thresholds.
     indices : int
         Number of vertical indices.
     lines : (first inline, inline step, first crossline, crossline step) or None
@@ -76,7 +77,7 @@ class WithAttributes:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Horizon(WithAttributes):
-    """Heights at columns of a lattice, at most one for each, as `horizon` and `read` make them.
+    """Heights at columns of a lattice, at most one per column, from `horizon` or `read`.
 
     Attributes
     ----------
@@ -87,16 +88,16 @@ class Horizon(WithAttributes):
         Time, depth or elevation, in `vertical_unit`; it increases in `direction`.
     lattice : Lattice
     attributes : dict of arrays of n
-        Other values of points; `horizon["name"]` gives one as well.
+        Other values at the points; also `horizon["name"]`.
     direction : "down" or "up"
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     filled : uint8 array of n
-        1 where z was computed between known points, 2 outside of them, 0 where it was given.
+        1 where z was computed between known points, 2 outside them, 0 where it was given.
     taken : tuple of str
-        How the input was understood, in lines.
+        How the input was interpreted, in lines.
     left_out : dict
-        Numbers of points that were left out of the input, by reason.
+        Numbers of input points left out, by reason.
     """
 
     name: str

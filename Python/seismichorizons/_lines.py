@@ -30,9 +30,9 @@ class Lines:
     sticks : list of str
         The number of each line in its fault; empty where unknown. Of cutoffs the wall, "footwall" or "hanging wall".
     taken : tuple of str
-        What each file was taken for.
+        How each file was interpreted.
     direction : "down" or "up"
-        Where z of the files increases to.
+        Direction in which z of the files increases.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     """
@@ -155,13 +155,13 @@ def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     header_lines : int
         Lines to skip at the beginning of a file.
     direction : "down" or "up", optional
-        Where z increases to, if the file does not say it.
+        Direction in which z increases, if the file does not give it.
     progress : callable, optional
 
     Returns
     -------
     Lines
-        `taken` says what each file was taken for.
+        `taken` says how each file was interpreted.
 
     Raises
     ------

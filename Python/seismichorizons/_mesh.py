@@ -23,7 +23,8 @@ class Ledger:
     known : int
         Columns with a given z, under the mesh.
     filled, bridged, extrapolated : int
-        Columns under the mesh whose z was computed: before meshing between known columns, by triangles alone, or outside.
+        Columns under the mesh whose z was computed: before meshing between known columns, by triangles alone, or outside
+        these.
     left_out : int
         Columns with a given z that the mesh does not cover.
     column_area : float

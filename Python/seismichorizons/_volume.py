@@ -28,28 +28,28 @@ FIGURES = ("RmsAmplitude", "MeanAmplitude", "LargestAmplitude", "SmallestAmplitu
 def cube(values: Any, lattice: Lattice | None = None, *, corners: Sequence[Sequence[float]] | None = None, lines: Lines | None = None,
          first_z: float | None = None, vertical_step: float | None = None, nodata: float | None = None, name: str = "cube", direction: str = "down",
          vertical_unit: str = "", vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "") -> Cube:
-    """Makes a cube of an array, as readers of other formats give it.
+    """Makes a cube from an array, such as readers of other formats return.
 
     Parameters
     ----------
     values : array or xarray.DataArray of shape (inlines, crosslines, samples)
-        Also memory-mapped: it is not copied before it is used, and then once. nan, and what is masked, is no sample. A DataArray
-        may have its dimensions in any order: inline, crossline and another one, whose coordinates are lines and z; and places
+        May be memory-mapped: it is copied once, on first use. nan and masked values are missing samples. A DataArray may
+        have its dimensions in any order: inline, crossline and another one, whose coordinates are lines and z; and places
         as the coordinates cdp_x and cdp_y.
     lattice : Lattice, optional
         Of its traces.
     corners : three or four of (x, y), optional
-        In place of a lattice: places of the traces at the first inline and crossline, the last inline and first crossline, the
-        first inline and last crossline and, to check it, the last ones.
+        In place of a lattice: x and y of the traces at the first inline and crossline, the last inline and first
+        crossline, the first inline and last crossline and, to check it, the last ones.
     lines : (first inline, inline step, first crossline, crossline step), optional
         With corners.
     first_z, vertical_step : float, optional
-        z of the first sample, and between samples; by default those of the lattice or of the coordinates.
+        z of the first sample, and z between samples; by default those of the lattice or of the coordinates.
     nodata : float, optional
         A value that means no sample.
     name : str
     direction : "down" or "up"
-        Where samples go to.
+        Direction in which the sample number increases.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
 
     Returns
@@ -59,7 +59,7 @@ def cube(values: Any, lattice: Lattice | None = None, *, corners: Sequence[Seque
     Raises
     ------
     ValueError
-        If places are on no lattice, or of another shape; for samples without a step.
+        If places are not on a lattice or have another shape, or samples have no step.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def _of_places(array: Any, places: list[Any], lines: Lines | None) -> Lattice:
 
 # ---- Amplitudes of horizons -------------------------------------------------------------------------------------------
 def amplitudes(cube: Cube, horizon: Horizon, base: Horizon | None = None, *, above: float | str = 0.0, below: float | str = 0.0) -> Horizon:
-    """Amplitudes of a cube at a horizon and, as figures, in a window around it or down to another horizon.
+    """Amplitudes of a cube at a horizon and, on request, statistics in a window around it or down to another horizon.
 
     Parameters
     ----------
@@ -170,15 +170,16 @@ def amplitudes(cube: Cube, horizon: Horizon, base: Horizon | None = None, *, abo
     horizon : Horizon
         On the lattice of the cube or on another one; between traces, the four around are interpolated linearly.
     base : Horizon, optional
-        On the lattice of the horizon: the end of the window, below it.
+        Lower end of the window, below the horizon and on its lattice.
     above, below : float or str
         How far the window reaches above the horizon and below it, or below the base; in the unit of z, or with a unit.
 
     Returns
     -------
     Horizon
-        With the attribute CubeAmplitude, linear between samples; and with a window, of the samples in it, RmsAmplitude,
-        MeanAmplitude, LargestAmplitude and SmallestAmplitude. nan where the cube has no sample, or a horizon no point.
+        With the attribute CubeAmplitude, interpolated linearly between samples; with a window also RmsAmplitude,
+        MeanAmplitude, LargestAmplitude and SmallestAmplitude of its samples. nan where the cube has no sample or a
+        horizon no point.
 
     Examples
     --------
