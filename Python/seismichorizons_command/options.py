@@ -146,7 +146,7 @@ def add_preparation_options(group):
     group.add_argument("--cutoffs", action="store_true", default=NOT_GIVEN, help="find where horizons meet faults: tables of throws and "
                        "of the layers that meet (csv), and cutoffs and fault polygons in --fault-formats (default: dat)")
     group.add_argument("--fault-dip", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="D", help="dip of faults of --cutoffs "
-                       "and --sealed without sticks, in degrees (default: from the gap of picks)")
+                       "and --sealed without sticks, in degrees (default: from the gap between picks)")
     group.add_argument("--sealed", action="store_true", default=NOT_GIVEN, help="make closed bodies of the layers between faults: "
                        "the model for GOCAD (ml), Gmsh (msh) and VTK (vtp), and tables (csv)")
     group.add_argument("--fault-endings", default=NOT_GIVEN, metavar="TEXT", help='which fault ends at which in --sealed, as '
