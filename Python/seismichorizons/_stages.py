@@ -220,8 +220,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
             smallest_angle: float = 2.0, edge_length: float = 0.0, edge_growth: float = 0.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
             radius: int | None = None,
             keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
-            outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
-            seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
+            outline_tolerance: float | None = None, distance_threshold: float | str | None = None, faults: Faults | None = None,
+            close_faults: bool = False, seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
     """Makes a mesh of few triangles within an error.
 
     Parameters
@@ -256,6 +256,9 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         Patches of fewer points are left out.
     outline_tolerance : float, optional
         The largest move of outlines on the map, in columns; at most 0.75 by default.
+    distance_threshold : float or str, optional
+        The largest vertical distance of a dropped point from its outline, as `largest_error`, which it is by default. Tiles
+        fit at straight borders where this and `outline_tolerance` are 0.
     faults : Faults, optional
         Where the surface is cut open: `faults` finds them.
     close_faults : bool
@@ -288,7 +291,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
                      effort=effort, fit_heights=fit_heights,
                      crossing_tolerance=crossing_tolerance, radius=radius,
                      keep_holes=keep_holes, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
-                     outline_tolerance=outline_tolerance, faults=faults,
+                     outline_tolerance=outline_tolerance, distance_threshold=distance_threshold, faults=faults,
                      close_faults=close_faults, seam_rows=seam_rows, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
     require_horizon(horizon, "a surface")
@@ -302,6 +305,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),
         smallest_hole_size=None if smallest_hole_size is None else _count("smallest_hole_size", smallest_hole_size),
         outline_tolerance=None if outline_tolerance is None else float(outline_tolerance),
+        distance_threshold=None if distance_threshold is None else
+        height("distance_threshold", distance_threshold, horizon.vertical_unit) / abs(horizon.lattice.vertical_step),
         maximum_number_of_triangles=None if triangles is None else _count("triangles", triangles),
         maximum_error=None if largest_error is None else height("largest_error", largest_error, horizon.vertical_unit))
     given = horizon._data(links_of(faults))
