@@ -220,8 +220,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
             smallest_angle: float = 2.0, edge_length: float = 0.0, edge_growth: float = 0.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
             radius: int | None = None,
             keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
-            outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
-            seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
+            outline_tolerance: float | None = None, distance_threshold: float | str | None = None, faults: Faults | None = None,
+            close_faults: bool = False, seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
     """Makes a mesh with few triangles within an error.
 
     Parameters
@@ -255,6 +255,9 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         Patches with fewer points are dropped.
     outline_tolerance : float, optional
         Largest distance in map view of a dropped point from its outline, in columns; by default the error, at most 0.75.
+    distance_threshold : float or str, optional
+        Largest vertical distance of a dropped point from its outline, in the unit of z or with a unit; by default the error.
+        Tiles fit at straight borders if this and `outline_tolerance` are 0.
     faults : Faults, optional
         Faults that split the surface, from `faults`.
     close_faults : bool
@@ -287,7 +290,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
                      effort=effort, fit_heights=fit_heights,
                      crossing_tolerance=crossing_tolerance, radius=radius,
                      keep_holes=keep_holes, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
-                     outline_tolerance=outline_tolerance, faults=faults,
+                     outline_tolerance=outline_tolerance, distance_threshold=distance_threshold, faults=faults,
                      close_faults=close_faults, seam_rows=seam_rows, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
     require_horizon(horizon, "a surface")
@@ -301,6 +304,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),
         smallest_hole_size=None if smallest_hole_size is None else _count("smallest_hole_size", smallest_hole_size),
         outline_tolerance=None if outline_tolerance is None else float(outline_tolerance),
+        distance_threshold=None if distance_threshold is None else
+        height("distance_threshold", distance_threshold, horizon.vertical_unit) / abs(horizon.lattice.vertical_step),
         maximum_number_of_triangles=None if triangles is None else _count("triangles", triangles),
         maximum_error=None if largest_error is None else height("largest_error", largest_error, horizon.vertical_unit))
     given = horizon._data(links_of(faults))
