@@ -35,8 +35,7 @@ public:
 
   ///@{
   /**
-   * The processes that share this stage, each with its own horizons; null: this process alone. Default: the global
-   * controller.
+   * Processes that share this stage, each with its horizons; null: this process alone. Default: the global controller.
    *
    * All of them must update when there is one piece per process (UpdatePiece(rank, processes, 0), as in ParaView).
    * With any other number of pieces, this process works alone.

@@ -33,7 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Edge length of cells: squares in the rough simplification, where 3 keeps about one point in nine; cubes in the
+   * Edge length of cells: squares in the rough simplification (3 keeps about one point in nine), cubes in the
    * elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8 in
    * vtkHorizonElaborateSimplification.
    *

@@ -37,8 +37,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Contour interval; levels are its multiples. 0: a round one that gives about twelve levels per horizon. Unit: that
-   * of z. Range: at least 0. Default: 0.
+   * Contour interval; levels are its multiples. 0: a round one for about twelve levels per horizon. Unit: that of z.
+   * Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(Interval, double);
 

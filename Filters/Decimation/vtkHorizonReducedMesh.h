@@ -71,9 +71,9 @@ public:
   vtkHorizonNumberMacro(SmallestAngle, double);
 
   /**
-   * For even, near-equilateral triangles: longest inner edge, less where the error requires it. Angles are at least 25
-   * degrees unless outlines prevent it; Effort has no effect. 0: off. Unit: columns. Range: 0, or at least 4. Default:
-   * 0.
+   * For even, near-equilateral triangles within an error: longest inner edge, less where the error requires it. Angles
+   * are at least 25 degrees unless outlines prevent it; Effort has no effect. 0: off. Unit: columns. Range: 0, or at
+   * least 4. Default: 0.
    */
   vtkHorizonNumberMacro(EdgeLength, double);
 
