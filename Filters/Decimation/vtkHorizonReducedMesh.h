@@ -84,8 +84,8 @@ public:
   vtkHorizonNumberMacro(EdgeGrowth, double);
 
   /**
-   * Vertical error of inner edges between columns. Same: that of points. Twice: double, for 5 to 9 % fewer points.
-   * Unbounded: 5 to 15 % fewer, but spikes between columns. Default: Same.
+   * Vertical error of inner edges between columns. Same: that of points. Twice: double, for fewer points on most
+   * horizons. Unbounded: still fewer, but spikes between columns. Default: Same.
    *
    * Measured where an edge crosses the line between two neighbouring columns.
    */
