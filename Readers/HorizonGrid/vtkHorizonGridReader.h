@@ -34,15 +34,15 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The file, plain or gzipped; several files are time steps. See "Series of files" in Window.md. Range: a path in
+   * UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * Numbers and words that mean no value, besides the usual words and the null value of the format or file. Unit: that
-   * of z. Range: numbers and words, separated by blanks or commas. Default: empty.
+   * Numbers and words that mean no value, besides usual words and the null value of the format or file. Unit: that of
+   * z. Range: numbers and words, separated by blanks or commas. Default: empty.
    */
   vtkHorizonTextMacro(NullValues);
 
