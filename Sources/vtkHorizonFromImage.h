@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFromImage
- * @brief   makes a horizon from a map, an image with z as an array
+ * @brief   makes a horizon from a map (an image with z as an array)
  *
  * The input is a vtkImageData of one layer, turned or not, as from ParaView's readers of GeoTIFF, BAG and DEM files.
  * Its points are the columns of the lattice, or the centres of its cells where z is an array of these. Columns that are

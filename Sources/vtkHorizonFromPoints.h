@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFromPoints
- * @brief   makes horizons from any points or table, on the lattice of their survey
+ * @brief   makes horizons from points or a table, on the lattice of their survey
  *
  * The input is a vtkPointSet or a vtkTable, as from ParaView's readers of CSV or LAS files, or from a Calculator. The
  * coordinates of points are x, y and z. Other arrays, and those of a table, are taken by their names: "X" or "Easting",

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonGridReader
- * @brief   reads a horizon from a grid file of a gridding program
+ * @brief   reads a horizon from a grid file
  *
  * Reads grids of IRAP (classic ASCII and binary), STORM, ZMAP+, CPS-3, EarthVision, Surfer 6 and 7, GXF and Esri
  * (ASCII), recognised by content, never by extension (Documentation/HorizonGrid.md). Rotation, flipped axes and

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSEGYCubeReader
- * @brief   reads a post-stack seismic cube, or a line of one, from a SEG-Y file
+ * @brief   reads a post-stack seismic cube or line from a SEG-Y file
  *
  * Each trace is placed by its inline and crossline numbers, so lines may be missing, truncated or in any order. The
  * header bytes of line numbers and coordinates are found (Documentation/SEGYCube.md) or set. Samples are IBM or

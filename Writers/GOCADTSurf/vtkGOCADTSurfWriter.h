@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGOCADTSurfWriter
- * @brief   writes horizon meshes as triangulated surfaces of GOCAD (.ts)
+ * @brief   writes horizon meshes as GOCAD triangulated surfaces (.ts)
  *
  * Each horizon becomes an object of type TSurf, all in one text file (Documentation/GOCADTSurf.md). It has the
  * name of its block, else "Horizon <ID>" by the surface ID of its first point, else the name of the file without
