@@ -130,8 +130,8 @@ void WarnOfNulls(const std::vector<double>& nulls, const std::vector<double>& z,
   {
     std::ostringstream text;
     text << *null << " at " << std::count_if(null, nulls.end(), isNear) << " of " << z.size()
-         << " points taken for no z, as is usual, but others have z from " << least << " to " << greatest
-         << ": NullValues without this number keeps it";
+         << " points taken as missing z, as is usual, but others have z from " << least << " to " << greatest
+         << ": remove it from NullValues to keep it";
     warnings.push_back(text.str());
   }
 }

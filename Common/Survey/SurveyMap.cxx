@@ -56,7 +56,7 @@ void PlaceRows(PickTable& picks, const PlacementOptions& options)
   }
   if (options.Source != LatticeSource::OriginAndSteps)
   {
-    throw InputError("a matrix of heights without their places, expected the place of the first number, and steps to "
+    throw InputError("a matrix of heights without coordinates, expected those of the first number, and the steps to "
                      "the next number and the next line: set LatticeSource OriginAndSteps");
   }
   for (std::size_t pick = 0; pick < picks.Size(); ++pick)

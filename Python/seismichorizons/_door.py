@@ -363,7 +363,7 @@ class _Given:
             unique, numbers = np.unique(names, return_inverse=True)
             self.names = [str(one) for one in unique]
             if self.dropped:
-                raise ValueError("%d rows without a place in a table of several horizons, expected a place in each" % self.dropped)
+                raise ValueError("%d rows without coordinates in a table of several horizons, expected coordinates in each" % self.dropped)
             arrays["horizon"] = np.ascontiguousarray(numbers.ravel(), np.int32)
         return arrays
 

@@ -230,8 +230,7 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
   }
   if (!HasPlace(roles))
   {
-    throw ErrorAt(
-      header.HeaderLines, "names of columns, expected x, y and z among them; Columns says what the fields are");
+    throw ErrorAt(header.HeaderLines, "column names without x, y and z, expected all three: set Columns");
   }
   const bool arePlaces = roles == std::vector<FaultRole>{ FaultRole::X, FaultRole::Y, FaultRole::Z };
   if (arePlaces && rows.front().size() > roles.size() && !IsElevationAt(header, 2))
@@ -248,7 +247,7 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
     {
       throw ErrorAt(header.HeaderLines + 1 + (&row - rows.data()),
         std::to_string(row.size()) + " fields below " + std::to_string(roles.size()) +
-          " names of columns, expected as many; Columns says what the fields are");
+          " column names, expected one field for each: set Columns");
     }
   }
   return roles;

@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The file, plain or gzipped; several files are time steps. See "Series of files" in Window.md. Range: a path in
+   * UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}

@@ -208,9 +208,10 @@ void RefuseSmallPlaces(const TextLines& sample, const TextLayout& layout)
     if (!numbers.empty() && (*numbers.begin() == 0 || areSteps))
     {
       throw InputError("column " + std::to_string(column + 1) + " with whole numbers " +
-        (areSteps ? "in steps of " + std::to_string(step) : std::string("from 0")) +
-        ", expected to know whether columns " + Two(std::size_t(lines)) +
-        " are line numbers or places: set Columns to Inline, Crossline, Z or to X, Y, Z");
+        (areSteps ? "in steps of " + std::to_string(step) : std::string("from 0")) + ", so that columns " +
+        Two(std::size_t(lines)) +
+        " may be line numbers or coordinates, expected one of these: set Columns to Inline, Crossline, Z or to X, Y, "
+        "Z");
     }
   }
 }

@@ -190,7 +190,7 @@ std::string DoubtOfNames(const TextLayout& layout, const std::vector<TextColumn>
   const auto isZ = [](const TextColumn& name) { return name.Role == FieldRole::Z; };
   const bool areNames = layout.Separator != FieldSeparator::Blanks || std::any_of(names.begin(), names.end(), isZ);
   const std::string warning = "columns " + ListNames(names) + " taken in order as " + ListNames(layout.Columns) +
-    ", as their names do not say the place: set Columns if this is wrong";
+    ", as no name says which are the coordinates: set Columns if this is wrong";
   return areNames && names.size() == layout.Columns.size() ? warning : "";
 }
 

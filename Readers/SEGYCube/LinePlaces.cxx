@@ -163,7 +163,7 @@ void PlaceAlongLine(SEGYCube& cube, const LineNumbers& lines, const FieldPair& g
     cube.Places = line.Complete();
     if (cube.PlaceFields.First == NoField)
     {
-      cube.Warnings.push_back("the second output has the traces of the line where they are");
+      cube.Warnings.push_back("the second output has the traces of the line at their true positions");
     }
     if (line.Strays > 0)
     {

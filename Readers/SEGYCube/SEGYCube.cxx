@@ -125,8 +125,8 @@ FieldPair FindLines(SEGYCube& cube, TraceTable& table, const SEGYOptions& option
   if (IsPlacePair(*found))
   {
     std::ostringstream text;
-    text << "line numbers at bytes " << found->First << " and " << found->Second
-         << ", where x and y are by the standard. " << OtherLinesText(SuggestLines(cube.Name, cube.Header));
+    text << "line numbers at bytes " << found->First << " and " << found->Second << ", where the standard has x and y. "
+         << OtherLinesText(SuggestLines(cube.Name, cube.Header));
     cube.Warnings.push_back(text.str());
   }
   return *found;

@@ -23,7 +23,7 @@ KNOWN = {
     "GOCADTSurf": ["end of file, expected END of the GOCAD object of line ..."],  # by a function
     "HorizonDecimation": ["maximum number of triangles ..., expected at least the ... that the outlines alone take"],
     "HorizonDespiking": ["spur width ..., expected 0 to ... columns"],  # by a check
-    "HorizonGrid": ["places are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
+    "HorizonGrid": ["coordinates are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
     "HorizonText": ["column 1 counts lines, expected coordinates or line numbers: name the columns in Columns, such "
                           "as Inline, Crossline, X, Y, Z"],  # with a constant
     "HorizonTriangulation": ["no surface to the left of the edge from point ... to point ..., expected closed boundary "

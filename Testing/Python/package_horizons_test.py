@@ -143,7 +143,7 @@ class PlacesTest(unittest.TestCase):
                 self.assertLess(sh.surface(top, 5.0).points[:, 2].max(), 0.0)
         z = -z
         z[0, 0] = 1.0
-        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, so that these may be elevations or depths"):
+        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, so z may be elevation or depth"):
             self.assertEqual(sh.horizon(z).direction, "down")
         with warnings.catch_warnings():
             warnings.simplefilter("error")

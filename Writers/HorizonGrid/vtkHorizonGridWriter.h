@@ -27,9 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The format. ByExtension: ZMAP+ for .zmap and .zmp, IRAP classic binary for .gri and .irapbin, CPS-3 for .cps3 and
-   * .cps, Surfer for .grd, Esri ASCII for .asc, else IRAP classic ASCII. IrapText: IRAP classic ASCII. Zmap: ZMAP+; rotated grids are resampled. IrapBinary: IRAP classic binary, in
-   * single precision. See "What is written" in HorizonGrid.md. Default: ByExtension.
+   * Format. ByExtension: that of the extension, else IRAP classic ASCII. Zmap: ZMAP+; rotated grids are resampled.
+   * IrapBinary: single precision. See "What is written" in HorizonGrid.md. Default: ByExtension.
    */
   vtkHorizonChoice4Macro(Format, GridKind, ByExtension, IrapText, Zmap, IrapBinary);
 

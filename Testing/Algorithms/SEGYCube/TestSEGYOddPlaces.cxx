@@ -92,7 +92,7 @@ void PlacesAreNoLineNumbers()
   const SEGYCube cube = Read(file); // small numbers may be both
   CHECK_EQUAL(cube.LineFields.First, 181);
   CHECK(Warns(cube,
-    "line numbers at bytes 181 and 185, where x and y are by the standard. Where line numbers are "
+    "line numbers at bytes 181 and 185, where the standard has x and y. Where line numbers are "
     "elsewhere, set InlineByte and CrosslineByte; bytes 197 and 205 make a grid"));
 }
 
@@ -264,7 +264,8 @@ void BentLinesKeepTheirPlaces()
     options.PlaceFields = given;
     const SEGYCube cube = Read(file, options);
     CHECK_EQUAL(cube.PlaceFields.First, NoField);
-    CHECK(Warns(cube, "line numbers stand for x and y; the second output has the traces of the line where they are"));
+    CHECK(Warns(
+      cube, "line numbers stand for x and y; the second output has the traces of the line at their true positions"));
     if (!CHECK_EQUAL(cube.Places.size(), 40u))
     {
       continue;
