@@ -66,9 +66,6 @@ public:
    */
   vtkHorizonNumberMacro(SpurWidth, int);
 
-  /// The name of SpurWidth in version 0.2, for scripts of that version. @deprecated Use SetSpurWidth.
-  void SetThreadWidth(int width) { this->SetSpurWidth(width); }
-
   /// How many points are spikes, in all horizons of the last update.
   vtkGetMacro(NumberOfSpikes, vtkIdType);
 

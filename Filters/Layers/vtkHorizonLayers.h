@@ -96,9 +96,6 @@ public:
    */
   vtkHorizonFlagMacro(TearAtFaults);
 
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
-
   /**
    * What happens where a horizon has no points. Void: both layers beside it are absent. Interpolate: its holes and gaps
    * are closed, up to LargestHoleSize and LargestGap. Follow: in addition, a horizon that is absent between two others

@@ -87,9 +87,6 @@ public:
    */
   vtkHorizonFlagMacro(KeepHoles);
 
-  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
-  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
-
   /**
    * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
@@ -97,9 +94,6 @@ public:
    * Off: the outputs have no FaultedLinks.
    */
   vtkHorizonFlagMacro(TearAtFaults);
-
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
   /**
    * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
