@@ -65,7 +65,8 @@ echo "release: building in build/packages, some minutes"
 quietly "configuring" cmake --preset packages -DCMAKE_SKIP_INSTALL_RPATH=OFF
 quietly "building" cmake --build --preset packages
 paraview=$(sed -n 's/^ParaView_DIR:.*paraview-\([0-9.]*\)$/\1/p' build/packages/CMakeCache.txt)
-plugin=seismichorizons-plugin-$version-paraview$paraview-debian12-$(uname -m)
+system=$(. /etc/os-release && echo "$ID$VERSION_ID")
+plugin=seismichorizons-plugin-$version-paraview$paraview-$system-$(uname -m)
 for component in runtime paraview_plugins; do
   quietly "installing" cmake --install build/packages --component "$component" --strip --prefix "$work/$plugin"
 done
