@@ -148,7 +148,6 @@ is_configured() {
 }
 
 build() {
-  fetch_nanobind
   is_configured || configure
   echo "setup: building in build/release, some minutes the first time"
   if ! quietly "building" cmake --build "$build_folder" -- --quiet; then
@@ -158,6 +157,7 @@ build() {
 }
 
 install_packages
+fetch_nanobind
 [ "$with_build" = yes ] || exit 0
 build
 echo "setup: ready"

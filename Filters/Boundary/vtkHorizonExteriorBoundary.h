@@ -82,9 +82,6 @@ public:
    */
   vtkHorizonFlagMacro(KeepHoles);
 
-  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
-  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
-
   /**
    * Holes with fewer columns strictly inside are closed. Unit: columns. Range: at least 1. Default: 1.
    *
@@ -112,9 +109,6 @@ public:
    * Off: the output has no FaultedLinks.
    */
   vtkHorizonFlagMacro(TearAtFaults);
-
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
 protected:
   vtkHorizonExteriorBoundary() = default;

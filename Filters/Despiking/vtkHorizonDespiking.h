@@ -65,9 +65,6 @@ public:
    */
   vtkHorizonNumberMacro(SpurWidth, int);
 
-  /// The name of SpurWidth in version 0.2, for scripts of that version. @deprecated Use SetSpurWidth.
-  void SetThreadWidth(int width) { this->SetSpurWidth(width); }
-
   /// Spikes in all horizons.
   vtkGetMacro(NumberOfSpikes, vtkIdType);
 

@@ -95,9 +95,6 @@ public:
    */
   vtkHorizonFlagMacro(TearAtFaults);
 
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
-
   /**
    * Void: layers beside missing points are absent. Interpolate: holes and gaps are closed, up to LargestHoleSize and
    * LargestGap. Follow: also, a horizon missing between two others follows the nearer one, so that no rock is lost.

@@ -85,9 +85,6 @@ public:
    */
   vtkHorizonFlagMacro(KeepHoles);
 
-  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
-  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
-
   /**
    * Split the horizon at faults (field data FaultedLinks). Off: later stages ignore them, too. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
@@ -95,9 +92,6 @@ public:
    * Off: the outputs have no FaultedLinks.
    */
   vtkHorizonFlagMacro(TearAtFaults);
-
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
   /**
    * Derive the smallest open hole from radius and outline tolerance. Off: SmallestHoleSize. Default: on.

@@ -16,7 +16,6 @@ from ._cutoffs import Cutoffs, cutoffs
 from ._door import horizon
 from ._files import read, read_mesh, write
 from ._horizon import Horizon, Lattice
-from ._late import find as __getattr__  # noqa: F401 -- names that are not here
 from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
 from ._sealed import SealedModel, sealed

@@ -72,7 +72,6 @@ def add_reader_options(group):
     group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN, help="unit of z (default: as in the file)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME", help="coordinate system of x and y, such as "
                        "EPSG:23031, for formats that store one (default: as in the file)")
-    group.add_argument("--elevation", dest="z_from", choices=Z_SOURCES, default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
     group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN, help="source of world z in sparse voxel files "
                        "(default: VerticalIndex)")
     group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN, help="point that stays if a "
@@ -206,7 +205,6 @@ def add_layer_options(group):
 def add_stage_options(group):
     group.add_argument("--keep-holes", action="store_true", default=NOT_GIVEN, help="outline holes as well, so that they "
                        "stay open in the mesh")
-    group.add_argument("--hole-boundaries", dest="keep_holes", action="store_true", default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
     group.add_argument("--fewest-outline-points", action="store_true", default=NOT_GIVEN, help="use the fewest outline points "
                        "within the outline tolerance and the distance threshold")
     group.add_argument("--bound-deviation", action="store_true", default=NOT_GIVEN, help="keep dropped outline points within "

@@ -163,13 +163,6 @@ public:
    */
   vtkHorizonChoice2Macro(ZFrom, ZSource, VerticalIndex, RealZ);
 
-  ///@{
-  /// The names of version 0.2, for scripts of that version. @deprecated Use SetZFrom.
-  void SetElevation(int source) { this->SetZFrom(source); }
-  void SetElevationToVerticalIndex() { this->SetZFrom(VerticalIndex); }
-  void SetElevationToRealZ() { this->SetZFrom(RealZ); }
-  ///@}
-
   /**
    * Centre of cell (0, 0, 0). Unit: world units. Range: finite. Default: 0, 0, 0.
    */

@@ -198,9 +198,6 @@ public:
    */
   vtkHorizonChoice2Macro(ZFrom, ZSource, VerticalIndex, RealZ);
 
-  /// The name of ZFrom in version 0.2, for scripts of that version. @deprecated Use SetZFrom.
-  void SetElevation(int source) { this->SetZFrom(source); }
-
   /// What was found in the cube. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }
 

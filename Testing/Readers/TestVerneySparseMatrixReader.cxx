@@ -115,7 +115,7 @@ void ZCanBeReal()
   reader->SetZFromToVerticalIndex();
   reader->Update();
   CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == -12.0);
-  reader->SetElevationToRealZ(); // the name before
+  reader->SetZFromToRealZ();
   CHECK(reader->GetZFrom() == vtkVerneySparseMatrixReader::RealZ);
 }
 
