@@ -65,7 +65,8 @@ public:
   vtkHorizonNumberMacro(MaximumNumberOfTriangles, int);
 
   /**
-   * Choose the radius from the spacing of points. Off: Radius. See "What is chosen" in HorizonSurface.md. Default: on.
+   * Choose the radius from the spacing of points. Off: Radius. See "Automatic parameters" in HorizonSurface.md.
+   * Default: on.
    */
   vtkHorizonFlagMacro(AutomaticRadius);
 
