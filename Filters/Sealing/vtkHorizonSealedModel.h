@@ -66,8 +66,8 @@ public:
 
   /**
    * Sticks: faults die out half a stick spacing beyond their sticks, or at their tip loop, unless what they end at is
-   * within EndDistance. Through: they continue to walls and other faults. See "What is bounded and what is not" in
-   * HorizonSealedModel.md. Default: Sticks.
+   * within EndDistance. Through: they continue to walls and other faults. See "Error bounds" in HorizonSealedModel.md.
+   * Default: Sticks.
    */
   vtkHorizonChoice2Macro(Tips, TipKinds, Sticks, Through);
 
