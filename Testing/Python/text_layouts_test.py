@@ -239,7 +239,7 @@ def refused_layouts():
     yield "a constant before z", Layout("il xl x y 1 z", refused="the same in all lines")
     yield "a zero between lines and places", Layout("il xl 0 x y z", refused="like their places")
     yield "z between lines and places", Layout("il xl z x y", refused="like their places")
-    yield "whole local places", Layout("x y z", survey=EVEN, formats=WHOLE, refused="line numbers or places")
+    yield "whole local places", Layout("x y z", survey=EVEN, formats=WHOLE, refused="line numbers or coordinates")
     yield "line numbers by tens", Layout("il xl z", survey=Survey(line_steps=(1, 10)), points=LINES,
                                          refused="steps of 10")
     yield "touching", Layout("il xl xy z", formats={"xy": str}, refused="expected blanks between numbers")
