@@ -12,8 +12,8 @@ PAGE = """\
 # Compared with the thesis
 
 Our simplifications are compared with those of the thesis, and with other programs at the same number of vertices.
-`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE`, it also writes the
-surfaces, tables 4.1 to 4.6 and 5.1 with a row for each surface, and the numbers in figure captions.
+`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE`, it also writes the results
+for each surface (tables 4.1 to 4.6 and 5.1) and the numbers in figure captions.
 
 - {thesis_words}
 - {cluster_words}
@@ -27,8 +27,8 @@ surfaces, tables 4.1 to 4.6 and 5.1 with a row for each surface, and the numbers
   off by up to {noise_height} voxels and {noise_gaps} of the voxels missing. The area with noise is chosen so that the
   rough simplification with s = 3, 6 and 8 leaves, in the median, as many points as in the thesis.
 - Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and the mesh of the points left, in
-  both directions, in lattice units, divided by the diagonal of the bounding box as in the thesis. Because heights are
-  whole numbers, even a mesh that passes between them has a mean error of up to a quarter of a vertical index.
+  both directions, in lattice units, as fractions of the diagonal of the bounding box. Heights are whole numbers, so
+  even a mesh between them has a mean error of up to a quarter of a vertical index.
 - Times are the fastest of up to {runs} runs on {threads} threads, attributes included. Those of the thesis were
   measured on a PC of its time.{meshlab}
 
@@ -50,8 +50,8 @@ the surfaces.
 
 - Errors are multiplied by the number of vertices, since the error of a good mesh is inversely proportional to it.
   *Outline* is the largest deviation of the outline in map view.
-- *Time* is from the points to the mesh. Ours includes the boundary and attributes. Theirs includes neither, nor the
-  mesh of all points that they need, except for `vtkDelaunay2D`.
+- *Time* is from the points to the mesh. Ours includes the boundary and attributes. Theirs excludes both, and the mesh
+  of all points that all but `vtkDelaunay2D` need.
 - The two clustering filters run with their best settings, all others with their defaults. Holes are filled for
   `vtkGreedyTerrainDecimation`. `vtkDelaunay2D` meshes the points that our simplification leaves.
 
