@@ -45,10 +45,10 @@ def peer_table(results):
 PAGE = """\
 # Benchmarks
 
-Time and memory that the stages need, and how they compare with other programs.
+These tables show the time and memory that the stages need, and the time that other programs need.
 
-Generated horizons, with all their attributes, on {processors} processors. `Utilities/Studies/benchmark.sh --markdown
-Documentation/Benchmarks.md` measures and writes this page.
+`Utilities/Studies/benchmark.sh --markdown Documentation/Benchmarks.md` measures and writes this page, here on
+{processors} processors, with synthetic horizons and all their attributes.
 
 ## Time and memory
 
