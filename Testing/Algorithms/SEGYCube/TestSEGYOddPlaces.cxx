@@ -151,7 +151,7 @@ void IrregularMidpointsMakeTheLatticeOfLeastSquares()
   CHECK((cube.Lattice.RowStep - Eigen::Vector2d(0.0, 25.0)).norm() < 0.5);
   CHECK(cube.LargestDistance > 0.45 && cube.LargestDistance <= 0.55);
   CHECK(Warns(cube, "of a step off any lattice, 0.3"));
-  CHECK(Warns(cube, "as of irregular midpoints: the lattice is that of least squares"));
+  CHECK(Warns(cube, "as with irregular midpoints: the lattice is a least-squares fit"));
   CHECK_EQUAL(CountWrong(file, cube), 0);
   // A pair on an exact lattice is better.
   file.Change = [](const Trace& trace, Bytes& header)
