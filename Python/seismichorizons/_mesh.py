@@ -44,9 +44,9 @@ class Ledger:
         return self.known + self.filled + self.bridged + self.extrapolated
 
     def __repr__(self) -> str:
-        parts = (("filled", self.filled), ("bridged", self.bridged), ("extrapolated", self.extrapolated), ("left out", self.left_out))
-        shares = (("%.3g %% %s" % (100.0 * number / self.covered, name) if self.covered else "%d %s" % (number, name))
-                  for name, number in parts if number)
+        parts = (("filled", self.filled, self.covered), ("bridged", self.bridged, self.covered), ("extrapolated", self.extrapolated, self.covered),
+                 ("of the points left out", self.left_out, self.known + self.left_out))
+        shares = ("%.3g %% %s" % (100.0 * number / whole, name) for name, number, whole in parts if number)
         return "{:,} columns covered".format(self.covered) + "".join(", " + share for share in shares)
 
 
