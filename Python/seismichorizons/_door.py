@@ -106,7 +106,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     if sum(taken) != 1:
         raise TypeError("%d of data, grid and points, expected one of them" % sum(taken))
     if (y is None) != (z is None):
-        raise TypeError("x and %s alone, expected x, y and z" % ("z" if y is None else "y"))
+        raise TypeError("only x and %s, expected x, y and z" % ("z" if y is None else "y"))
     arrays = (given.xyz(data, y, z) if z is not None else given.grid(grid) if grid is not None
               else given.points(points) if points is not None else given.recognize(data))
     name = name or given.name or "horizon"
@@ -300,7 +300,7 @@ class _Given:
 
     def _require_own_place(self, what: str) -> None:
         if self._place:
-            raise ValueError("%s for %s, which has a place of its own, expected none" % (" and ".join(sorted(self._place)), what))
+            raise ValueError("%s for %s, which has its own position, expected none" % (" and ".join(sorted(self._place)), what))
 
     # ---- Tables -----------------------------------------------------------------------------------------------------
     def _of_table(self, frame: Any) -> dict[str, Any]:
