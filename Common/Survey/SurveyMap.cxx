@@ -136,7 +136,7 @@ SurveyLattice FindSurveyMap(const PickPlaces& picks, const PlacementOptions& opt
   }
   if (AreParallel(map.Steps.col(0), map.Steps.col(1)))
   {
-    RefuseLine("places of picks");
+    RefuseLine("positions of picks");
   }
   lattice.Origin = map.Origin;
   lattice.ColumnStep = map.Steps.col(0);

@@ -4,6 +4,7 @@
 #include "FaultWarnings.h"
 
 #include "Common/Horizon/PlaneGeometry.h"
+#include "FaultStage.h"
 
 #include <algorithm>
 #include <array>
@@ -191,6 +192,13 @@ std::vector<std::string> IdleLines::Warnings() const
       ListFaults(this->Beside) + ") lie at least half outside the horizon");
   }
   return warnings;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GivenFaults::GivenFaults(std::vector<NamedHorizon> blocks)
+  : Blocks(std::move(blocks))
+  , Sticks(ReadFaultSticks(this->Blocks))
+{
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -46,23 +46,23 @@ class Faults:
     Attributes
     ----------
     links : int32 array of shape (n, 3)
-        Column, row and side (0 east, 1 north) of each link between neighbours that a fault cuts.
+        Column, row and side (0 east, 1 north) of each link between neighbouring columns that a fault cuts.
     lines : int32 array of n
-        Number of the line of each link.
+        Number of the fault line of each link.
     names : list of str
-        The fault of each line; "fault 1" and so on if it has no name.
+        Fault of each line; "fault 1" and so on for unnamed faults.
     throws : float64 array of n
-        z beyond each link, to the east or north, minus z before it; nan without a point nearby.
+        z on the far side of each link (east or north) minus z on the near side; nan without a nearby point.
     noise : float
-        Standard deviation of differences between neighbours, in the unit of z.
+        Standard deviation of differences between neighbouring columns, in the unit of z.
     smallest_throw : float
-        The throw that a fault must reach somewhere, in the unit of z.
+        Throw that a fault must reach somewhere, in the unit of z.
     traces : Lines
-        The lines on the horizon, half way between columns, with the names of given faults.
+        Fault lines on the horizon, half way between columns, with the names of supplied faults.
     surfaces : dict of Mesh
-        The surface of each fault, by name, if sticks were given.
+        Surface of each fault, by name, if sticks were supplied.
     horizon : Horizon
-        Without the points inside given polygons.
+        The horizon without points inside fault polygons.
     """
 
     links: NDArray[np.int32]
@@ -102,8 +102,8 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     ----------
     horizon : Horizon
     smallest_throw : float or str, optional
-        Throw that a fault must reach somewhere; it is followed down to half of this. In the unit of z or with a unit; by
-        default eight times the noise.
+        Throw that a fault must reach somewhere, in the unit of z or with a unit; the fault is followed down to half of
+        this. By default eight times the noise.
     noise : float or str, optional
         Standard deviation of noise in height differences between neighbouring columns; measured by default.
     smallest_extent : int
@@ -111,21 +111,22 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     smallest_branch : int
         Branches with fewer faulted links are dropped.
     largest_gap : int
-        Most missing columns in a row that a fault may cross.
+        Largest number of consecutive missing columns that a fault may cross.
     largest_ramp : int
         Widest ramp to treat as a fault, cut in the middle, in columns; 0: steps only.
     join_through_holes : bool
-        Joins fault lines across a hole if they point to each other and have similar throws.
+        Joins fault lines across a hole if they point towards each other and have similar throws.
     lines : Lines, list of Lines, or list of arrays of shape (n, 3), optional
         Fault traces, polygons or sticks in the coordinates of the horizon, as from `read_faults`.
     are_sticks : bool
-        The lines are sticks down faults, not traces in map view. Arrays are sticks of one fault.
+        Treats the lines as sticks down the fault plane, not as traces in map view. Arrays are sticks of one fault.
     extend_sticks : bool
-        Extends the surfaces of sticks at both ends by the last stick spacing.
+        Extends stick surfaces at both ends by the last stick spacing.
     polygons : "blank", "cut" or "leave"
-        Points inside fault polygons are dropped; or stay, as islands; or polygons have no effect.
+        Points inside fault polygons are dropped ("blank") or remain as islands ("cut"); with "leave", polygons have no
+        effect.
     detect : bool, optional
-        Detects faults from the heights; by default if there are no lines.
+        Detects faults in the heights; by default only without lines.
     progress : callable, optional
 
     Returns
@@ -164,17 +165,17 @@ def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, fa
     Parameters
     ----------
     surface : Horizon or Mesh
-        Contours of a mesh are smoother. Points of a horizon are joined between neighbouring columns.
+        The contours of a mesh are smoother. Horizon points are connected between neighbouring columns.
     interval : float or str, optional
-        In the unit of z or with a unit; by default a round one that gives about twelve levels.
+        In the unit of z or with a unit; by default a round interval that gives about twelve levels.
     faults : Faults, optional
-        Faults where the surface between points of a horizon is open; meshes have their own.
+        Faults at which a horizon is open; meshes are open at their own faults.
     progress : callable, optional
 
     Returns
     -------
     Lines
-        With the levels as names; closed contours end with their first point, and the higher side is to the left.
+        Named after their levels. Closed contours end with their first point, and the higher side is to the left.
 
     Raises
     ------
@@ -222,33 +223,35 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
             keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, distance_threshold: float | str | None = None, faults: Faults | None = None,
             close_faults: bool = False, seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
-    """Makes a mesh with few triangles within an error.
+    """Makes a mesh with few triangles within a given error.
 
     Parameters
     ----------
     horizon : Horizon, or dict of horizons
     largest_error : float or str, optional
-        Largest vertical distance of horizon points from the mesh, in the unit of z or with a unit, as "2 ms"; by default
-        six times the noise.
+        Largest vertical distance of horizon points from the mesh, in the unit of z or with a unit, as "2 ms"; by
+        default six times the noise.
     triangles : int, optional
-        Largest number of triangles, in place of an error.
+        Largest number of triangles, instead of an error.
     smallest_angle : float
         Smallest angle in map view that optimisation may create, in degrees, from 0 to 60.
     edge_length : float
-        For even, near-equilateral triangles: longest inner edge, in columns, at least 4; 0: off.
+        Longest inner edge of even, near-equilateral triangles, in columns, at least 4; 0: off.
     edge_growth : float
-        Growth of edges per distance from outlines and faults, from at most three columns up to `edge_length`, 0 to 1; 0:
-        `edge_length` everywhere.
+        Growth of edges with distance from outlines and faults, from at most three columns up to `edge_length`, from 0
+        to 1; 0: `edge_length` everywhere.
     effort : "best" or "fast"
-        "best" needs half as many points as "fast", or fewer, in two to four times the time.
+        "best" needs at most half as many points as "fast", and two to four times the time.
     fit_heights : bool
-        Fits heights of inner vertices to nearby points, for fewer vertices; otherwise vertices are points of the horizon.
+        Fits heights of inner vertices to nearby points, which needs fewer vertices; otherwise vertices are points of
+        the horizon.
     crossing_tolerance : "same", "twice" or "unbounded"
-        Vertical error of inner edges between columns: that of points, twice that, or any, with spikes between columns.
+        Vertical error of inner edges between columns: the same as at points, twice that, or unbounded, which permits
+        spikes between columns.
     radius : int, optional
         Largest hop of outlines along each axis, in columns; by default chosen from the spacing of points.
     keep_holes : bool
-        Keeps holes open unless too small.
+        Keeps holes open unless they are too small.
     smallest_hole_size : int, optional
         Holes with fewer columns strictly inside are closed; by default chosen from radius and outline tolerance.
     minimum_patch_size : int
@@ -256,16 +259,16 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     outline_tolerance : float, optional
         Largest distance in map view of a dropped point from its outline, in columns; by default the error, at most 0.75.
     distance_threshold : float or str, optional
-        Largest vertical distance of a dropped point from its outline, in the unit of z or with a unit; by default the error.
-        Tiles fit at straight borders if this and `outline_tolerance` are 0.
+        Largest vertical distance of a dropped point from its outline, in the unit of z or with a unit; by default the
+        error. If this and `outline_tolerance` are 0, tiles fit at straight borders.
     faults : Faults, optional
         Faults that split the surface, from `faults`.
     close_faults : bool
         Closes cracks at faults with steep triangles.
     seam_rows : (below, above), optional
-        Lower and upper rows that this part shares with others, for `join`; -1: none.
+        Lowest and highest row if this part shares them with others, for `join`; -1: not shared.
     progress : callable, optional
-        Gets the fraction that is done; what it raises stops the work.
+        Called with the fraction done; an exception in it stops the work.
 
     Returns
     -------
@@ -274,7 +277,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     Raises
     ------
     ValueError
-        If an option is out of range, or outlines alone need more triangles.
+        If an option is out of range, or the outlines already need more triangles.
 
     Examples
     --------
@@ -326,26 +329,26 @@ def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str =
     ----------
     horizon : Horizon
     largest_hole_size : int
-        Holes of more columns stay open.
+        Holes with more columns stay open.
     method : "automatic", "plate" or "membrane"
-        A plate continues slope and curvature of the rim; a membrane stays between its heights; "automatic" is a plate
-        with smoothing and width chosen by roughness.
+        "plate" continues the slope and curvature of the rim; "membrane" stays between the heights of the rim;
+        "automatic" is a plate with smoothing and width chosen from the roughness.
     rim_smoothing : float
-        Smoothing of rim noise by a plate; 0: none, for clean data. 1: for autotracked picks. 16: for noise above half a
+        Smoothing of rim noise by a plate. 0: none, for clean data; 1: for autotracked picks; 16: for noise above half a
         vertical index. "automatic" chooses it.
     rim_width : int
-        Width of the rim that a plate continues, in columns; more for noisy data.
+        Width of the rim that a plate continues, in columns. Noisy data need more.
     extrapolation_distance : int
-        Columns up to this far outside the horizon, within the survey, are also filled.
+        Also fills columns up to this far outside the horizon, within the survey.
     faults : Faults, optional
-        Each side of these is filled independently.
+        Faults; each side of a fault is filled independently.
     progress : callable, optional
 
     Returns
     -------
     Horizon
-        With the new points at the end; `filled` marks them. Numbers with fractions are interpolated, others are those of
-        the nearest point.
+        With the new points at the end, marked in `filled`. Fractional attributes are interpolated; others have the
+        value of the nearest point.
 
     Examples
     --------
@@ -371,16 +374,16 @@ def _changed(horizon: Horizon, data: Any, attributes: Mapping[str, NDArray[Any]]
 
 def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: int = 2, spur_width: int = 0,
             progress: Progress | None = None) -> Horizon:
-    """Removes spikes: points far from the median around them.
+    """Removes spikes: points far above or below the points around them.
 
     Parameters
     ----------
     horizon : Horizon
     threshold : float or str, optional
-        Points farther above or below the surface through their neighbours are spikes; in the unit of z or with a unit; by
-        default four times the noise.
+        Points farther above or below the surface through their neighbours are spikes; in the unit of z or with a unit.
+        By default four times the noise.
     radius : int
-        Reach of the neighbourhood along each axis, in columns; 2: 5 by 5 columns.
+        Reach of the neighbourhood along each axis, in columns; 2 means 5 by 5 columns.
     spur_width : int
         Widest strips and spurs to remove, in columns; 0: none.
     progress : callable, optional
@@ -388,7 +391,7 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
     Returns
     -------
     Horizon
-        `left_out` has the numbers of spikes and of points on spurs.
+        `left_out` gives the numbers of spikes and of points on spurs.
 
     Examples
     --------
@@ -415,14 +418,15 @@ class Thickness:
     Attributes
     ----------
     horizon : Horizon
-        The first one at columns with both, with the attributes Isochore (vertical) and, where z has the unit of x and y, Isopach
-        (across the dip; nan where the dip is unknown), in the unit of z; negative where the horizons cross.
+        The top at columns with both horizons. The attribute Isochore is the vertical thickness and, where z has the
+        unit of x and y, Isopach is the thickness perpendicular to the layer (nan where the dip is unknown), both in the
+        unit of z and negative where the horizons cross.
     least, mean, largest : float
-        Of the isochore.
+        Isochore.
     volume : float
-        Sum over columns of area times isochore; crossings count as 0. nan if z is time.
+        Sum over columns of area times isochore, with 0 where horizons cross. nan if z is time.
     columns, left_out, crossings : int
-        Columns with both horizons, with one of them, and of negative thickness.
+        Numbers of columns with both horizons, with only one, and with negative thickness.
     """
 
     horizon: Horizon
@@ -447,7 +451,7 @@ def thickness(top: Horizon, base: Horizon, *, progress: Progress | None = None) 
     Parameters
     ----------
     top, base : Horizon
-        On lattices with the same steps and common columns, with z in the same direction and unit.
+        On lattices with the same steps and common columns; z has the same direction and unit.
     progress : callable, optional
 
     Returns

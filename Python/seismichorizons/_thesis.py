@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stages of the thesis one by one, which `surface` does at once, and meshes of parts.
+"""The single stages of the thesis, and the joining of meshes; `surface` runs all stages at once.
 
-Points with outlines, and meshes, are `Mesh` objects. Options are those of the pages of the stages; without a value they have
-their defaults there. All functions raise ValueError for data that a stage does not take, and for options out of range.
+Points with outlines and meshes are `Mesh` objects. Options and their defaults are those on the pages of the stages. All
+functions raise ValueError for data that a stage does not accept, and for options out of range.
 """
 
 from __future__ import annotations
@@ -27,22 +27,23 @@ def _run(stage: Any, of: Horizon | Mesh, data: Any, options: dict[str, Any], pro
 def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: str | None = None, kind: str | None = None,
                       keep_holes: bool | None = None, smallest_hole_size: int | None = None, smallest_hole_area: float | None = None,
                       minimum_patch_size: int | None = None, faults: Faults | None = None, progress: Progress | None = None) -> Mesh:
-    """Finds the outline of each connected patch, and of holes on request.
+    """Finds the outline of each connected patch, and of holes if requested.
 
     Parameters
     ----------
     horizon : Horizon
     radius : int
-        The largest hop of outlines along each axis, in columns, from 1 to 32; 1 by default.
+        Largest hop of outlines along each axis, in columns, from 1 to 32; 1 by default.
     growth : "clockwise" or "distance"
-        How outlines run with a radius above 1: straight across narrow bays, or around every detail.
+        Course of outlines with a radius above 1: "clockwise" goes straight across narrow bays, "distance" around every
+        detail.
     kind : "exterior", "topological4" or "topological8"
     keep_holes : bool
         Keeps holes open, with an outline; off by default.
     smallest_hole_size : int
         Holes with fewer columns strictly inside are closed.
     smallest_hole_area : float
-        Holes with a smaller area, in square units of x and y, are closed, too.
+        Holes with a smaller area, in square units of x and y, are also closed.
     minimum_patch_size : int
         Patches with fewer points are dropped.
     faults : Faults, optional
@@ -64,17 +65,17 @@ def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: st
 def boundary_simplification(outlined: Mesh, *, method: str | None = None, distance_threshold: float | None = None,
                             bound_deviation: bool | None = None, outline_tolerance: float | None = None,
                             progress: Progress | None = None) -> Mesh:
-    """Drops points of outlines within tolerances.
+    """Drops outline points within tolerances.
 
     Parameters
     ----------
     outlined : Mesh
-        Points with outlines, as `exterior_boundary` makes them.
+        Points with outlines, from `exterior_boundary`.
     method : "threshold" or "fewest_points"
         The method of the thesis, or the fewest points within the tolerances.
     distance_threshold : float
-        Points closer to the line through their neighbours, in lattice units, are dropped; 0.4 by default. With
-        "fewest_points": the largest vertical distance of a dropped point from the new outline.
+        Points closer to the line through their neighbours are dropped, in lattice units; 0.4 by default. With
+        "fewest_points", the largest vertical distance of a dropped point from the new outline.
     bound_deviation : bool
         Keeps dropped points within `distance_threshold` of the final outline.
     outline_tolerance : float
@@ -88,7 +89,7 @@ def boundary_simplification(outlined: Mesh, *, method: str | None = None, distan
 
 def rough_simplification(outlined: Mesh, *, cell_size: int | None = None, maximum_number_of_points: int | None = None,
                          representative: str | None = None, progress: Progress | None = None) -> Mesh:
-    """Replaces inner points with one per square cell.
+    """Replaces inner points with one point per square cell.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def rough_simplification(outlined: Mesh, *, cell_size: int | None = None, maximu
     cell_size : int
         Edge length of cells, in columns; 3 by default.
     maximum_number_of_points : int
-        Largest number of points, for which the cell size is chosen.
+        Chooses the cell size for at most this number of points.
     representative : "barycentre" or "nearest_point"
     progress : callable, optional
     """
@@ -107,7 +108,7 @@ def rough_simplification(outlined: Mesh, *, cell_size: int | None = None, maximu
 def elaborate_simplification(outlined: Mesh, *, cell_size: int | None = None, flatness_threshold: float | None = None,
                              maximum_number_of_points: int | None = None, representative: str | None = None,
                              progress: Progress | None = None, **more: float | str) -> Mesh:
-    """Replaces inner points with one per cell; cells are smaller near outlines and where the surface is curved.
+    """Replaces inner points with one point per cell. Cells are smaller near outlines and where the surface is curved.
 
     Parameters
     ----------
@@ -117,7 +118,7 @@ def elaborate_simplification(outlined: Mesh, *, cell_size: int | None = None, fl
     flatness_threshold : float
         Largest curvature of a flat cell, from 0 to 1/3; smaller values keep more points; 0.12 by default.
     maximum_number_of_points : int
-        Largest number of points, for which the threshold is chosen.
+        Chooses the threshold for at most this number of points.
     representative : "barycentre" or "nearest_point"
     progress : callable, optional
     **more
@@ -137,15 +138,15 @@ def elaborate_simplification(outlined: Mesh, *, cell_size: int | None = None, fl
 def triangulation(outlined: Mesh, *, search: str | None = None, convex_hull: bool | None = None, maximum_boundary_angle: float | None = None,
                   maximum_boundary_edge_length: float | None = None, close_faults: bool | None = None,
                   progress: Progress | None = None) -> Mesh:
-    """Joins all points by constrained Delaunay triangles inside the outlines.
+    """Connects all points inside the outlines by a constrained Delaunay triangulation.
 
     Parameters
     ----------
     outlined : Mesh
     search : "voxel_traversal" or "compactness"
-        How the third points of triangles are found; the mesh is the same.
+        How the third points of triangles are found. The mesh is the same.
     convex_hull : bool
-        Meshes the convex hull of all points, ignoring outlines, without outer triangles that exceed the limits.
+        Meshes the convex hull of all points and ignores outlines, without outer triangles that exceed the limits below.
     maximum_boundary_angle : float
         Largest angle opposite a boundary edge, in degrees, with `convex_hull`.
     maximum_boundary_edge_length : float
@@ -163,7 +164,7 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
                fit_heights: bool | None = None, effort: str | None = None, priority: str | None = None, smallest_angle: float | None = None,
                edge_length: float | None = None, edge_growth: float | None = None,
                crossing_tolerance: str | None = None, close_faults: bool | None = None, progress: Progress | None = None) -> Mesh:
-    """Makes a mesh with few triangles within an error, without changing outlines.
+    """Makes a mesh with few triangles within a given error. Outlines are unchanged.
 
     Parameters
     ----------
@@ -172,13 +173,13 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
     largest_error : float or str, optional
         As in `surface`.
     points : int, optional
-        Largest number of points, outlines included, in place of an error.
+        Largest number of points, including outlines, instead of an error.
     reduction : float, optional
-        Fraction of points to drop, in place of an error.
+        Fraction of points to drop, instead of an error.
     fit_heights, effort, smallest_angle, edge_length, edge_growth, crossing_tolerance, close_faults
         As in `surface`.
     priority : "sum_of_squares" or "largest_errors"
-        Error to minimise for a number of points: the sum of squares, or the largest.
+        Error to minimise for a given number of points: the sum of squares, or the largest error.
     progress : callable, optional
     """
     if sum(value is not None for value in (largest_error, points, reduction)) > 1:
@@ -198,7 +199,7 @@ def join(parts: Sequence[Mesh], *, minimum_patch_size: int = 1, progress: Progre
     Parameters
     ----------
     parts : list of Mesh
-        From `surface` with `seam_rows`, with the same error and outline tolerance.
+        Meshes from `surface` with `seam_rows`, with the same error and outline tolerance.
     minimum_patch_size : int
         Patches with fewer points are dropped.
     progress : callable, optional

@@ -168,8 +168,8 @@ void PlaceAlongLine(SEGYCube& cube, const LineNumbers& lines, const FieldPair& g
     if (line.Strays > 0)
     {
       std::ostringstream text;
-      text << line.Strays << " traces far from both neighbours by x and y (bytes " << fields.First << " and "
-           << fields.Second << "): put between them";
+      text << line.Strays << " traces far from both neighbours in x and y (bytes " << fields.First << " and "
+           << fields.Second << "): moved between them";
       cube.Warnings.push_back(text.str());
     }
     return;

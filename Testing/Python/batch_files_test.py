@@ -97,8 +97,8 @@ class FilesTest(unittest.TestCase):
         """A wrong guess would be seen; the error of each horizon is that of the horizon alone."""
         code, messages, told = self.run_program(self.write_turned((5, 5, 1300.0)))
         self.assertEqual((code, len(messages)), (0, 1), messages)
-        self.assertRegex(messages[0], "^warning: dome.csv: 1 of 318 columns with several z, up to 94.1 apart: "
-                         "--duplicate-policy says which is kept, ")
+        self.assertRegex(messages[0], "^warning: dome.csv: 1 of 318 columns have several z, up to 94.1 apart: "
+                         "--duplicate-policy chooses which is kept, ")
         for words in ("plain text, separated by commas: Crossline, Inline, X, Y, Z", "20 x 16 crosslines and inlines, 25 x 12.5 "
                       "apart, the first axis 60 degrees from north", "z 1200 to 1224.9 ms, growing down (as depth and time do; "
                       "--vertical-direction Up turns it); vertical step 1; error 0.98 ms, six times the noise of 0.16\n",

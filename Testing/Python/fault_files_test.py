@@ -281,6 +281,22 @@ class FaultsOut(unittest.TestCase):
                         self.assertEqual(sorted(sticks.names), sorted(given.names))
                         self.assertEqual(sorted(traces.names), sorted(found.traces.names))
 
+    def test_units(self):
+        """Headers have the unit of z. Sticks in another one than the horizon are refused, and so are files of two units."""
+        horizon = dataclasses.replace(HORIZON, vertical_unit="ms")
+        given = sh.read_faults(write("units.csv", FILES[0][1]))
+        for ending in (".dat", ".csv", ".pl"):
+            with self.subTest(ending):
+                sticks = self.again(dataclasses.replace(given, vertical_unit="m"), ending)
+                self.assertEqual((sticks.vertical_unit, sticks.vertical_domain), ("m", "depth"))
+                for use in (lambda lines: sh.faults(horizon, lines=lines, are_sticks=True), lambda lines: sh.cutoffs({"Top": horizon}, lines)):
+                    with self.assertRaisesRegex(ValueError, 'VerticalDomain "depth", expected "time"'):
+                        use(sticks)
+                sh.faults(horizon, lines=sticks)  # traces on the map need no z
+                sh.write(dataclasses.replace(given, vertical_unit="ms"), FOLDER / ("ms" + ending))
+                with self.assertRaisesRegex(ValueError, "ms%s: z in ms, expected m as in " % ending):
+                    sh.read_faults([FOLDER / ("out" + ending) / ("lines" + ending), FOLDER / ("ms" + ending)])
+
     def test_names(self):
         """In links, lines and surfaces, and in files of the command."""
         path = write("names.csv", FILES[0][1])

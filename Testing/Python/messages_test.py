@@ -21,14 +21,14 @@ KNOWN = {
     "HorizonFaults": ["none of ... fault polylines passes between columns of a horizon, expected lines in the coordinates "
                       "of its points: ..."],  # a warning
     "GOCADTSurf": ["end of file, expected END of the GOCAD object of line ..."],  # by a function
-    "HorizonDecimation": ["maximum number of triangles ..., expected at least the ... that the outlines alone take"],
+    "HorizonDecimation": ["maximum number of triangles ..., expected at least the ... that the outlines require"],
     "HorizonDespiking": ["spur width ..., expected 0 to ... columns"],  # by a check
     "HorizonGrid": ["coordinates are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
-    "HorizonText": ["column 1 counts lines, expected coordinates or line numbers: name the columns in Columns, such "
+    "HorizonText": ["column 1 numbers the lines, expected coordinates or line numbers: name the columns in Columns, such "
                           "as Inline, Crossline, X, Y, Z"],  # with a constant
     "HorizonTriangulation": ["no surface to the left of the edge from point ... to point ..., expected closed boundary "
                              "loops with the surface to their right"],
-    "SEGYCube": ["... traces at places of others: these are dead"],  # one of four
+    "SEGYCube": ["... duplicate traces: dead ones are not used"],  # one of four
     "VerneySparseMatrix": ["two horizons with the surface ID ..., expected one ID for each",
                            "header \"...\", expected three positive integers \"nX nY nZ\" below 2^31"],
     "Report": ["there is no horizon ...; the file has ...", "... requires --layers"],

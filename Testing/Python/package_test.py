@@ -155,7 +155,7 @@ class StagesTest(unittest.TestCase):
         self.assertEqual((mesh.ledger.known, mesh.ledger.left_out, mesh.ledger.covered), (1191, 20, 1191))
         self.assertAlmostEqual(mesh.ledger.column_area, 250.0)
         self.assertEqual(len(told), 1, told)
-        self.assertRegex(str(told[0].message), r"^horizon: 1,191 columns covered, 1\.68 % left out;")
+        self.assertRegex(str(told[0].message), r"^horizon: 1,191 columns covered, 1\.65 % of the points left out;")
 
     def test_meshes_and_nothing(self):
         """Stages of points refuse meshes, and what is empty."""

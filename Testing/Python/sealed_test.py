@@ -272,7 +272,7 @@ class SealedTest(unittest.TestCase):
         twice = sh.Lines(faults.names + ["F3"] * 9, faults.lines + faults.lines[:9], direction="up", vertical_unit="m")
         in_time = sh.Lines(faults.names, faults.lines, direction="up", vertical_unit="ms", vertical_domain="time")
         for given, sticks, options, text in (
-                (horizons, faults, {"endings": "F9 > F1"}, "fault F9, expected the name of a fault"),
+                (horizons, faults, {"endings": "F9 > F1"}, "fault F9 in Endings, expected the name of a given fault"),
                 (horizons, faults, {"endings": "F2 > F1; F1 > F2"}, "expected rules without cycles"),
                 (horizons, faults, {"endings": "F2, F1"}, "ending F2, F1, expected a fault, >"),
                 (horizons, faults, {"unconformities": "D"}, "unconformity D, expected the name of a horizon"),

@@ -209,7 +209,7 @@ void WhatCanNotBeIsRefused()
   huge->DeepCopy(horizon);
   huge->GetPointData()->GetArray("Attribute 1")->SetTuple1(0, 2e30);
   vtkNew<vtkHorizonTextWriter> tooLarge;
-  CheckRefused(tooLarge, huge, "Attribute 1 of 1e30 or more, which stands for no value; expected less");
+  CheckRefused(tooLarge, huge, "Attribute 1 of 1e30 or more, which means no value; expected less");
 }
 
 /// What breaks the rules of VTK, or of the data model.

@@ -152,7 +152,7 @@ def positive_surfaces():
     output_of(GIVEN.programs / "generate_cube", "--noise", "0.2", "cube.sgy")
     cube = sh.read_cube(FOLDER / "cube.sgy")
     both, positive = (len(sh.extract(cube, polarity=polarity, largest_number=1000)) for polarity in ("both", "positive"))
-    return ["a half" if both == 2 * positive else "%d of %d" % (positive, both)]
+    return ["half" if both == 2 * positive else "%d of %d" % (positive, both)]
 
 
 def cutoffs():

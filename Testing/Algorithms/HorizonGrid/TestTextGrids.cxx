@@ -169,8 +169,8 @@ void EarthVisionIsChecked()
     "line 17: second point at column 3 and row 2, expected one for each node");
   CHECK_THROWS_WITH(Read(EarthVision() + "1060 5025 5 2 2\n"), " from its node, expected a regular lattice");
   const std::string header = EarthVision().substr(0, EarthVision().find("1000 5000"));
-  CHECK_THROWS_WITH(Read(header), "0 points in one line of nodes, expected at least three that are not");
-  CHECK_THROWS_WITH(Read(header + "0 0 1 1 1\n1 0 1 2 1\n2 0 1 3 1\n"), "3 points in one line of nodes");
+  CHECK_THROWS_WITH(Read(header), "0 points along one line of nodes, expected some off this line");
+  CHECK_THROWS_WITH(Read(header + "0 0 1 1 1\n1 0 1 2 1\n2 0 1 3 1\n"), "3 points along one line of nodes");
   CHECK_THROWS_WITH(Read(header + "0 0 1 1 1\n1 1 1 2 1\n1 1 1 1 2\n"),
     "columns and rows of nodes along the same line of x and y, expected a lattice in the plane");
   CHECK_THROWS_WITH(Read(Replace(EarthVision(), "3 x 2", "1000000000 x 2")),
