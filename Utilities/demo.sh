@@ -64,10 +64,12 @@ set -- --output-folder "$output" --report "$output/report.html" "$@"
 echo "demo: horizon-mesh $*"
 "$screen" /usr/bin/python3 "$utilities/horizon_mesh.py" "$@"
 
-echo "demo: the report is $output/report.html: open it in a browser, and turn its meshes"
+echo "demo: the report is $output/report.html: open it in a browser and drag its meshes to rotate them"
+set -- "$output"/*.png
+[ ! -e "$1" ] || echo "demo: the pictures are $output/*.png"
 plugins=$(echo "$build_folder"/lib/paraview-*/plugins)
-if [ -d "$plugins" ]; then
-  echo "demo: the pictures are $output/*.png; the window: PV_PLUGIN_PATH=$plugins paraview $file"
+if [ -e "$plugins/SeismicHorizons/SeismicHorizons.so" ]; then
+  echo "demo: the window: PV_PLUGIN_PATH=$plugins paraview $file"
 else
-  echo "demo: pictures and the window need ParaView: $utilities/setup.sh --without-tests, then this command again"
+  echo "demo: for the window of ParaView, and pictures: $utilities/setup.sh --without-tests, then this command again"
 fi

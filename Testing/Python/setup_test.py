@@ -8,7 +8,6 @@ Arguments: setup.sh, a folder for files.
 
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -78,7 +77,8 @@ class Setup(unittest.TestCase):
             self.assertEqual((code, commands), (0, [fetched] * (number == 0) + (
                 [configured % (self.project, self.project, *parts)] if parts else []) + [built]))
             self.assertTrue(printed.endswith("setup: ready\n"), printed)
-            self.assertEqual(bool(re.search(r"building in build/release, about \d+ minutes on \d+ processors\n", printed)), bool(parts))
+            told = r", (about [1-8] min \(processors: \d+\)|some minutes)\n" if parts else "\n"
+            self.assertRegex(printed, "building in build/release" + told)
         self.assertEqual(self.run_setup("--only-packages"), (0, "", []))
 
     def test_ends_with_its_pipe(self):
@@ -129,7 +129,8 @@ class Setup(unittest.TestCase):
             (self.commands / name).symlink_to(shutil.which(name))
         environment = {"PATH": str(self.commands), "PYTHONPATH": os.environ["PYTHONPATH"]}
         plugins = self.project / "build" / "release" / "lib" / "paraview-5.11" / "plugins"
-        for last in ("%s/setup.sh --without-tests" % utilities, "PV_PLUGIN_PATH=%s paraview %s/Data/sample.vsm\n" % (plugins, self.project)):
+        for last in ("%s/setup.sh --without-tests, then this command again\n" % utilities,
+                     "PV_PLUGIN_PATH=%s paraview %s/Data/sample.vsm\n" % (plugins, self.project)):
             done = subprocess.run([str(utilities / "demo.sh"), "-o", "with space"], cwd=self.project, env=environment, timeout=60,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=True)
             self.assertIn("demo: the report is with space/report.html", done.stdout)
@@ -137,7 +138,8 @@ class Setup(unittest.TestCase):
             self.assertNotIn("no pictures", done.stdout)
             self.assertEqual({path.name for path in (self.project / "with space").iterdir()} - {"sample.png"},  # of VTK 9.6
                              {"report.html", "sample_horizon_1.vtp", "sample_horizon_2.vtp"})
-            plugins.mkdir(parents=True, exist_ok=True)
+            (plugins / "SeismicHorizons").mkdir(parents=True, exist_ok=True)
+            (plugins / "SeismicHorizons" / "SeismicHorizons.so").touch()
 
 
 if __name__ == "__main__":
