@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonAlgorithm
- * @brief   what the stages that turn one horizon into another have in common
+ * @brief   base class of stages that turn one horizon into another
  *
  * A horizon is a vtkPolyData with the lattice in its field data (see Documentation/DataModel.md). A stage takes one
  * horizon, or a composite dataset of horizons (any vtkDataObjectTree), and gives the same kind of dataset with the same
  * structure and names. A subclass only processes one horizon.
  *
- * A horizon without points gives an empty one. A mesh is refused by stages of points. If a horizon cannot be processed, one error names it, and reports what
- * was found and what was expected. The whole output is then empty, even if other horizons were processed before;
- * likewise if the user stops it. With InvalidHorizons set to LeaveOut, only that horizon is empty, with a warning.
- * Progress goes from 0 to 1 over all horizons.
+ * A horizon without points gives an empty one. Stages that process points refuse meshes. If a horizon cannot be
+ * processed, one error names it, and reports what was found and what was expected. The whole output is then empty,
+ * even if other horizons were processed before; the same applies if the user stops it. With InvalidHorizons set to
+ * LeaveOut, only that horizon is empty, with a warning. Progress goes from 0 to 1 over all horizons.
  *
- * Inputs after the first one are optional, and apply to all horizons: every process gets them whole.
+ * Inputs after the first one are optional, and apply to all horizons: every process receives all of them.
  *
  * With several processes, each works on its horizons, and a horizon must have all its points on one process. An error
  * on one empties the output of all.
@@ -51,8 +51,7 @@ public:
   vtkPolyData* GetPolyDataOutput();
 
   /**
-   * What the last update made of each horizon: points before and after, and the figures that the stage put into the
-   * field data.
+   * Points of each horizon before and after, and other figures.
    *
    * Lines of text. Each process has a text of its own horizons. Empty before the first update, and after an error;
    * after a stop they say so.
@@ -70,7 +69,7 @@ protected:
   virtual void ProcessHorizon(
     const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor);
 
-  /// The same with datasets. A filter overrides one of both.
+  /// The same with datasets. A filter overrides one of the two.
   virtual void ProcessPolyData(
     vtkPolyData* input, const std::vector<vtkPolyData*>& outputs, const SeismicHorizons::Monitor& monitor);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonStage
- * @brief   what all stages have in common
+ * @brief   base class of all stages
  *
  * Inputs are horizons (vtkPolyData, see Documentation/DataModel.md), or composite datasets of them (vtkDataObjectTree).
  * A vtkUnstructuredGrid of vertices, lines and polygons, as of Threshold, is accepted, too. Its properties are on
@@ -28,16 +28,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What happens to a horizon that cannot be processed. Stop: an error, and no output. LeaveOut: a warning, and an
-   * empty horizon. Default: Stop.
+   * Handling of horizons that cannot be processed. Stop: an error, no output. LeaveOut: a warning, an empty horizon.
+   * Default: Stop.
    */
   vtkHorizonChoice2Macro(InvalidHorizons, InvalidHorizonsActions, Stop, LeaveOut);
 
   ///@{
   /**
-   * The processes that run this stage together, each on its horizons, when as many pieces are asked for as there are
-   * processes (UpdatePiece(rank, processes, 0), as ParaView does): all of them have to update it then. Null, and any
-   * other number of pieces: this process alone. Default: the global controller.
+   * Processes that share this stage, each with its horizons; null: this process alone. Default: the global controller.
+   *
+   * All of them must update when there is one piece per process (UpdatePiece(rank, processes, 0), as in ParaView).
+   * With any other number of pieces, this process works alone.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

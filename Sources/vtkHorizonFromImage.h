@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFromImage
- * @brief   makes a horizon from a map, an image with z as an array
+ * @brief   makes a horizon from a map (an image with z as an array)
  *
  * The input is a vtkImageData of one layer, turned or not, as from ParaView's readers of GeoTIFF, BAG and DEM files.
  * Its points are the columns of the lattice, or the centres of its cells where z is an array of these. Columns that are
@@ -26,14 +26,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The array with z, of points or cells. Empty: the active scalars, else the first array of one component, of points
-   * before cells. Range: a name. Default: empty.
+   * Array with z, of points or cells. Empty: the active scalars, else the first one-component array, points first.
+   * Range: a name. Default: empty.
    */
   vtkHorizonTextMacro(ZArray);
 
   /**
-   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out and counted
-   * in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default: empty.
+   * Numbers that mean no value, besides nan, infinity and 1e20 or more. Points without z are skipped. Unit: that of z.
+   * Range: numbers, separated by blanks or commas. Default: empty.
    */
   vtkHorizonTextMacro(NullValues);
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonFromPoints
- * @brief   makes horizons from any points or table, on the lattice of their survey
+ * @brief   makes horizons from points or a table, on the lattice of their survey
  *
  * The input is a vtkPointSet or a vtkTable, as from ParaView's readers of CSV or LAS files, or from a Calculator. The
  * coordinates of points are x, y and z. Other arrays, and those of a table, are taken by their names: "X" or "Easting",
  * "Y" or "Northing", "Z", "Depth" or "Time", "Inline" or "IL", "Crossline" or "XL", "Name" or "Horizon" and the like
- * (Documentation/HorizonFromPoints.md has all); or by those that the properties give. Other numbers become attributes;
+ * (Documentation/HorizonSources.md has all); or by those that the properties give. Other numbers become attributes;
  * arrays of several components become one for each, "Normals_0" and so on. Ghost points are left out.
  *
  * @sa vtkHorizonTextReader vtkHorizonFromImage
@@ -31,41 +31,41 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The array with x. Empty: the coordinates of points, or an array with a usual name. Range: a name. Default: empty.
+   * Array with x. Empty: the coordinates of points, or an array with a usual name. Range: a name. Default: empty.
    *
    * A named array must exist, here and below.
    */
   vtkHorizonTextMacro(XArray);
 
   /**
-   * The array with y. Empty: as for x. Range: a name. Default: empty.
+   * Array with y. Empty: as for x. Range: a name. Default: empty.
    */
   vtkHorizonTextMacro(YArray);
 
   /**
-   * The array with z. Empty: as for x. Range: a name. Default: empty.
+   * Array with z. Empty: as for x. Range: a name. Default: empty.
    */
   vtkHorizonTextMacro(ZArray);
 
   /**
-   * The array with inline numbers. Empty: one with a usual name, if any. Range: a name. Default: empty.
+   * Inline numbers. Empty: an array with a usual name, if any. Range: a name. Default: empty.
    */
   vtkHorizonTextMacro(InlineArray);
 
   /**
-   * The array with crossline numbers. Empty: one with a usual name, if any. Range: a name. Default: empty.
+   * Crossline numbers. Empty: an array with a usual name, if any. Range: a name. Default: empty.
    */
   vtkHorizonTextMacro(CrosslineArray);
 
   /**
-   * The array with the names of horizons, numbers or texts. Empty: one called name or horizon, else all points are
-   * Horizon 1. Range: a name. Default: empty.
+   * Horizon names, numbers or text. Empty: an array called name or horizon, else all are Horizon 1. Range: a name.
+   * Default: empty.
    */
   vtkHorizonTextMacro(NameArray);
 
   /**
-   * Numbers that mean no value, besides nan, infinity, and numbers from 1e20. Points without z are left out and counted
-   * in the field data DroppedNulls. Unit: that of z. Range: numbers, separated by blanks or commas. Default: empty.
+   * Numbers that mean no value, besides nan, infinity and 1e20 or more. Points without z are skipped. Unit: that of z.
+   * Range: numbers, separated by blanks or commas. Default: empty.
    */
   vtkHorizonTextMacro(NullValues);
 

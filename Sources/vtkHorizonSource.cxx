@@ -344,7 +344,7 @@ int vtkHorizonSource::RequestData(vtkInformation* request, vtkInformationVector*
         this->List(names);
         if (names.empty())
         {
-          throw InputError(this->ErrorPrefix() + "no points, expected those of a horizon at least");
+          throw InputError(this->ErrorPrefix() + "no points, expected those of a horizon");
         }
       });
     RequireSameList(this->ErrorPrefix(), names, this->CountHorizonPoints(), ranks);

@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * The horizons to load, by name. Range: on, off. Default: all on.
+   * The horizons to load. Range: on, off. Default: all on.
    *
    * UpdateInformation() fills the list; where horizons come from an input, Update() does. A choice may be made before
    * that, and is kept for horizons of the same name in other files, and for those that a window left out and that come

@@ -41,91 +41,87 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Where the lattice comes from. FromPoints: line numbers, x and y, or both. CornerPoints: line numbers and
-   * coordinates of three points. OriginAndSteps: a column and the steps to its neighbours. NoLattice: picks stay at x
-   * and y, as guides and limits of an extraction, which no other stage takes. See "Lattice" in HorizonTextReader.md.
-   * Default: FromPoints.
+   * Source of the lattice. FromPoints: the picks. CornerPoints: three points. OriginAndSteps: a column and steps from
+   * it. NoLattice: none, only for guides and limits of an extraction. See "Lattice" in HorizonText.md. Default:
+   * FromPoints.
    *
    * Points must agree with a lattice that is given.
    */
   vtkHorizonChoice4Macro(LatticeSource, LatticeSourceKind, FromPoints, CornerPoints, OriginAndSteps, NoLattice);
 
   /**
-   * With CornerPoints: inline, crossline, x and y of a point; the three not on one line. Unit: line numbers, world
+   * With CornerPoints: inline, crossline, x and y of one of three points, not collinear. Unit: line numbers, world
    * units. Range: finite. Default: 0, 0, 0, 0.
    */
   vtkHorizonVectorMacro(FirstCorner, double, 4);
 
   /**
-   * With CornerPoints: a second point. Unit: line numbers, world units. Range: finite. Default: 0, 1, 1, 0.
+   * With CornerPoints: the second. Unit: line numbers, world units. Range: finite. Default: 0, 1, 1, 0.
    */
   vtkHorizonVectorMacro(SecondCorner, double, 4);
 
   /**
-   * With CornerPoints: a third point. Unit: line numbers, world units. Range: finite. Default: 1, 0, 0, 1.
+   * With CornerPoints: the third. Unit: line numbers, world units. Range: finite. Default: 1, 0, 0, 1.
    */
   vtkHorizonVectorMacro(ThirdCorner, double, 4);
 
   /**
-   * With OriginAndSteps: x and y of a column; with line numbers, of the first inline and crossline. Unit: world units.
-   * Range: finite. Default: 0, 0.
+   * With OriginAndSteps: x and y of a column, or of the first inline and crossline. Unit: world units. Range: finite.
+   * Default: 0, 0.
    */
   vtkHorizonVectorMacro(Origin, double, 2);
 
   /**
-   * With OriginAndSteps: the step in x and y to the next column, or crossline of the data. Unit: world units. Range:
-   * finite, not parallel to RowStep. Default: 1, 0.
+   * With OriginAndSteps: x and y from a column or crossline to the next. Unit: world units. Range: finite, not parallel
+   * to RowStep. Default: 1, 0.
    */
   vtkHorizonVectorMacro(ColumnStep, double, 2);
 
   /**
-   * With OriginAndSteps: the step in x and y to the next row, or inline of the data. Unit: world units. Range: finite,
-   * not parallel to ColumnStep. Default: 0, 1.
+   * With OriginAndSteps: x and y from a row or inline to the next. Unit: world units. Range: finite, not parallel to
+   * ColumnStep. Default: 0, 1.
    */
   vtkHorizonVectorMacro(RowStep, double, 2);
 
   /**
-   * The largest distance of points from their columns, as a fraction of each step; farther ones are an error. Unit:
-   * columns. Range: more than 0, less than 0.5. Default: 0.1.
+   * Largest distance of points from columns; farther ones are stray. Unit: columns. Range: more than 0, less than 0.5.
+   * Default: 0.1.
    */
   vtkHorizonNumberMacro(LatticeTolerance, double);
 
   /**
-   * How picks off the lattice, or far from all others, are treated. Stop: an error, or a warning for distant ones on
-   * the lattice. LeaveOut: up to a tenth of all picks are left out, with a warning. Default: Stop.
+   * Picks off the lattice or far from others. Stop: an error; on the lattice, a warning. LeaveOut: drops up to a tenth,
+   * with a warning. Default: Stop.
    *
    * With Gridding, picks far from all others are an error, or a warning if the lattice is given.
    */
   vtkHorizonChoice2Macro(StrayPicks, StrayChoice, Stop, LeaveOut);
 
   /**
-   * Which of several points in one column is kept; with Gridding, of several at one position. StrongestAmplitude: the
-   * one with the largest absolute value of the attribute Amplitude, then the topmost. Topmost, Lowest: by height.
-   * Sheets: all, as at reverse faults. Mean: one with the means of z and of attributes, as where surveys overlap. See
-   * "Duplicates" in HorizonTextReader.md. Default: StrongestAmplitude.
+   * Which of several points in a column, with Gridding at a position, is kept. StrongestAmplitude: the largest absolute
+   * Amplitude, then the topmost. Sheets: all, for reverse faults. Mean: their mean, for overlapping surveys. See
+   * "Duplicates" in HorizonText.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Top (2)"; see ColumnSheets.h.
    */
   vtkHorizonChoice5Macro(DuplicatePolicy, DuplicateChoice, StrongestAmplitude, Topmost, Lowest, Sheets, Mean);
 
   /**
-   * Makes a horizon of picks off any lattice, such as 2D lines, wells or scattered points. Plate: a thin plate near all
-   * of them. Nearest: each column has the z of the nearest pick. See "Gridding" in HorizonTextReader.md. Default:
-   * NoGridding.
+   * Grids picks off a lattice, such as 2D lines or wells. Plate: smooth, close to all picks. Nearest: z of the nearest
+   * pick. See "Gridding" in HorizonText.md. Default: NoGridding.
    *
    * The lattice is that of LatticeSource OriginAndSteps, or one along x and y with about a column for each pick.
    */
   vtkHorizonChoice3Macro(Gridding, GriddingChoice, NoGridding, Plate, Nearest);
 
   /**
-   * With Gridding, the largest distance of filled columns from a pick, whose own column is always filled; in lines for
-   * line numbers alone. 0: the convex hull of the picks. Unit: world units. Range: 0 to 1e12. Default: 0.
+   * With Gridding: how far from picks to fill. 0: their convex hull. Unit: world units; lines for line numbers alone.
+   * Range: 0 to 1e12. Default: 0.
    */
   vtkHorizonNumberMacro(GriddingRadius, double);
 
   /**
-   * With Gridding Plate, how far the surface may depart from picks: larger values remove noise, and misties at line
-   * crossings. Range: 0 to 1e6. Default: 0.01.
+   * With Plate: larger values remove more noise and misties. Range: 0 to 1e6. Default: 0.01.
    */
   vtkHorizonNumberMacro(GriddingSmoothing, double);
 

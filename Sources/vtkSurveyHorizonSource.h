@@ -50,8 +50,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The length of a vertical index, the unit of errors and thresholds. 0: chosen for each horizon. See "Vertical
-   * indices" in HorizonTextReader.md. Unit: that of z. Range: finite, at least 0. Default: 0.
+   * Length of a vertical index, the unit of thresholds. 0: chosen for each horizon. See "Vertical indices" in
+   * HorizonText.md. Unit: that of z. Range: finite, at least 0. Default: 0.
    *
    * The default is the median of the nonzero differences in z between neighbouring columns, rounded to 1, 2 or 5 times
    * a power of ten; 1 if there are none.
@@ -59,16 +59,15 @@ public:
   vtkHorizonNumberMacro(VerticalStep, double);
 
   /**
-   * The direction of world z in which z of the data increases: Down for time and depth, Up for elevation. Automatic: Up
-   * for elevations, by their format (GeoTIFF, BAG, DEM, Esri ASCII) or name, and if no z is positive, as Petrel writes
-   * depths; else Down. See "Vertical direction" in HorizonTextReader.md. Default: Automatic.
+   * Direction of increasing z: Down for depth and time, Up for elevation. Automatic: Up by format, name or sign of z,
+   * else Down. See "Vertical direction" in HorizonText.md. Default: Automatic.
    *
    * The description has the direction and the reason; if most z, but not all, are negative, there is a warning.
    */
   vtkHorizonChoice3Macro(VerticalDirection, VerticalSense, Down, Up, Automatic);
 
   /**
-   * The unit of z: ms, s, m or ft, without conversion. Empty: as in the data. Range: any text. Default: empty.
+   * Unit of z: ms, s, m or ft; no conversion. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(VerticalUnit);
 
@@ -78,16 +77,16 @@ public:
   vtkHorizonTextMacro(VerticalDomain);
 
   /**
-   * The unit of x and y: m or ft, without conversion. Empty: as in the data. Range: any text. Default: empty.
+   * Unit of x and y: m or ft; no conversion. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(HorizontalUnit);
 
   /**
-   * The coordinate system of x and y, without conversion. Empty: as in the data. Range: any text. Default: empty.
+   * Coordinate system; no conversion. Empty: as in the data. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(CoordinateSystem);
 
-  /// What was found in the data: format and columns, lattice, and vertical indices. Empty before the first update.
+  /// What was found in the data. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }
 
 protected:

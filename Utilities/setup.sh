@@ -166,7 +166,6 @@ say_duration() {
 }
 
 build() {
-  fetch_nanobind
   duration=
   if ! is_configured; then
     duration=", $(say_duration)"
@@ -180,6 +179,7 @@ build() {
 }
 
 install_packages
+fetch_nanobind
 [ "$with_build" = yes ] || exit 0
 build
 echo "setup: ready"

@@ -114,8 +114,8 @@ void RequireDense(const std::array<int, 3>& dimensions, const std::vector<double
   if (values == 0)
   {
     throw InputError(
-      "no column under its triangles, expected some: shorter steps of columns and rows have more, or is it a "
-      "steep fault?");
+      "no column under the triangles, expected at least one: set shorter column and row steps, unless this is a "
+      "steep fault");
   }
   if (columns > std::max(EnoughGridColumns, MostColumnsPerValue * values))
   {

@@ -47,8 +47,7 @@ public:
 
   ///@{
   /**
-   * On: the MPI processes write one file together, and all of them must call Write(). Off: each process that calls it
-   * writes all horizons. Default: off.
+   * On: MPI processes write one file together, and all must call Write(). Off: each writes all horizons. Default: off.
    *
    * As ParaView does. Each process requests its piece of the horizons; the first one writes them all.
    */

@@ -28,8 +28,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The direction in which z of the file increases. AsRead: as in the file the horizon comes from (field data
-   * VerticalDirection), else up. Elevation: up. Depth: down; world z is negated. Default: AsRead.
+   * Direction of increasing z in the file. AsRead: as in the horizon's file, else up. Elevation: up. Depth: down.
+   * Default: AsRead.
    */
   vtkHorizonChoice3Macro(VerticalPositive, VerticalSense, AsRead, Elevation, Depth);
 

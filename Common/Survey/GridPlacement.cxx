@@ -25,7 +25,7 @@ void CheckLattice(const SurveyLattice& lattice)
   if (!lattice.Origin.allFinite() || !last.allFinite() || AreParallel(lattice.ColumnStep, lattice.RowStep))
   {
     throw InputError("nodes from " + ToText(lattice.Origin) + " in steps of " + ToText(lattice.ColumnStep) + " and " +
-      ToText(lattice.RowStep) + ", expected finite places, and steps that are not parallel");
+      ToText(lattice.RowStep) + ", expected finite coordinates, and steps that are not parallel");
   }
 }
 }

@@ -84,9 +84,9 @@ Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reac
 [[noreturn]] void RefuseSpread(std::int64_t points, const PlaneMap& map, double spread)
 {
   std::ostringstream text;
-  text << points << " points without a lattice: the best steps, " << ToText(map.Steps.col(0)) << " and "
-       << ToText(map.Steps.col(1)) << ", leave them " << std::round(100.0 * spread)
-       << " % of a step away from its columns on average; expected the regular lattice of a survey, or Gridding, "
+  text << points << " points without a lattice: with the best steps, " << ToText(map.Steps.col(0)) << " and "
+       << ToText(map.Steps.col(1)) << ", they are " << std::round(100.0 * spread)
+       << " % of a step off its columns on average; expected the regular lattice of a survey, or Gridding, "
           "or NoLattice for an extraction";
   throw InputError(text.str());
 }

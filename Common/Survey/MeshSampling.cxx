@@ -155,7 +155,7 @@ void MeshSampling::AddTriangles(
         {
           throw InputError("heights " + ShortestText(height) + " and " + ShortestText(own) +
             " (vertical indices) of a mesh in column (" + std::to_string(i) + ", " + std::to_string(j) +
-            "), expected one in each column: a closed body and a fold are no horizon");
+            "), expected one in each column: a closed body or a fold is not a horizon");
         }
         height = std::isnan(height) ? own : height;
       }

@@ -130,8 +130,8 @@ void WarnOfNulls(const std::vector<double>& nulls, const std::vector<double>& z,
   {
     std::ostringstream text;
     text << *null << " at " << std::count_if(null, nulls.end(), isNear) << " of " << z.size()
-         << " points taken for no z, as is usual, but others have z from " << least << " to " << greatest
-         << ": NullValues without this number keeps it";
+         << " points is read as missing z, as is usual, but others have z from " << least << " to " << greatest
+         << ": remove it from NullValues to keep it";
     warnings.push_back(text.str());
   }
 }
@@ -182,19 +182,19 @@ std::vector<std::string> FindWarnings(const SurveyHorizons& horizons, DuplicateP
     return warnings;
   }
   std::ostringstream text;
-  text << conflicts.Columns << " of " << columns << " columns with several z, up to " << conflicts.Largest << " apart";
+  text << conflicts.Columns << " of " << columns << " columns have several z, up to " << conflicts.Largest << " apart";
   if (areLines)
   {
     text
       << ", " << conflicts.InLines
       << " of them in lines, as along faults where a node has the z of both sides: DuplicatePolicy Topmost keeps the "
-         "upper side, Lowest the lower one, Sheets both, as horizons of their own; Mean is between them";
+         "upper side, Lowest the lower one, Sheets both as separate horizons, and Mean averages them";
   }
   else
   {
     text
-      << ": DuplicatePolicy says which is kept, as Mean for surveys that overlap, Sheets for a horizon that overlies "
-         "itself; for several horizons in one file, name the column that distinguishes them";
+      << ": DuplicatePolicy chooses which is kept, such as Mean for overlapping surveys, or Sheets for a horizon that "
+         "overlies itself; for several horizons in one file, name the column that distinguishes them";
   }
   warnings.push_back(text.str());
   return warnings;
@@ -232,18 +232,18 @@ void RequireEvidence(std::vector<PlanePoint> columns, const SurveyLattice& latti
   const auto filled = double(columns.size());
   if (filled < LeastFilled * all && PartWithNeighbours(columns) < LeastNeighbours)
   {
-    throw InputError(std::to_string(columns.size()) + " places on a lattice of " + std::to_string(lattice.Columns[0]) +
+    throw InputError("picks in " + std::to_string(columns.size()) + " of " + std::to_string(lattice.Columns[0]) +
       " x " + std::to_string(lattice.Columns[1]) +
-      " columns, expected picks in a tenth of these, or next to each other" +
-      (areLines ? ", as line numbers have: columns without names may be X and Y, which Columns says"
+      " columns of the lattice, expected a tenth of these, or picks next to each other" +
+      (areLines ? ", as with line numbers: if columns without names are X and Y, set Columns"
                 : ": Gridding makes a horizon of wells, 2D lines and scattered picks, LatticeSource OriginAndSteps "
-                  "gives the lattice of a survey, NoLattice takes picks for an extraction"));
+                  "gives the lattice of a survey, NoLattice is for picks that guide an extraction"));
   }
   if (!areLines && filled < Freedom && filled < all)
   {
-    throw InputError(std::to_string(int(filled)) +
-      " places, expected at least 6, or all of a lattice, to find it: Gridding makes a horizon of few picks, "
-      "LatticeSource OriginAndSteps gives the lattice, NoLattice takes picks for an extraction");
+    throw InputError("picks at " + std::to_string(int(filled)) +
+      " positions, expected at least 6, or a full lattice, to find it: Gridding makes a horizon of few picks, "
+      "LatticeSource OriginAndSteps gives the lattice, NoLattice is for picks that guide an extraction");
   }
 }
 }

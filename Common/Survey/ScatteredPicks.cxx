@@ -39,7 +39,7 @@ SurveyHorizons KeepPlaces(PickTable picks)
 {
   if (!picks.HasPlaces())
   {
-    throw InputError("LatticeSource NoLattice for line numbers alone, expected x and y");
+    throw InputError("LatticeSource NoLattice with only line numbers, expected x and y");
   }
   constexpr double columns = 1 << 30;
   const CoordinateRange x(picks.X);

@@ -206,7 +206,7 @@ Eigen::Matrix2d FindShortSteps(const std::vector<Eigen::Vector2d>& points)
   if (offLine.empty())
   {
     throw InputError(
-      std::to_string(points.size()) + " different places on one line, expected points on a lattice in the plane");
+      std::to_string(points.size()) + " positions, all on one line, expected points on a lattice in the plane");
   }
   for (Eigen::Vector2d& step : offLine)
   {
@@ -266,7 +266,7 @@ Eigen::Matrix2d FindRoundedSteps(const std::vector<Eigen::Vector2d>& points, dou
   if (!across)
   {
     throw InputError(
-      std::to_string(points.size()) + " different places on one line, expected points on a lattice in the plane");
+      std::to_string(points.size()) + " positions, all on one line, expected points on a lattice in the plane");
   }
   Eigen::Matrix2d steps;
   steps << along->Step, across->Step;

@@ -78,8 +78,7 @@ void RequireAnyPoints(const std::vector<LatticeHorizon>& horizons, const std::st
       return;
     }
   }
-  throw InputError(
-    prefix + "no points, expected those of a horizon at least: all " + std::to_string(nulls) + " are without z");
+  throw InputError(prefix + "no points, expected those of a horizon: all " + std::to_string(nulls) + " are without z");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -98,8 +97,8 @@ FramedSurvey FrameSurvey(
   if (!direction && !isUp && negative > 0)
   {
     framed.Warnings.push_back(std::to_string(negative) + " of " + std::to_string(all) +
-      " z are negative, so that these may be elevations or depths; they are taken to increase downwards, which "
-      "VerticalDirection Up turns, and Down confirms");
+      " z are negative, so z may be elevation or depth; it is taken to increase downwards: set VerticalDirection "
+      "to Up for elevation, or to Down to confirm");
   }
   framed.Description = (survey.IsOnLattice ? DescribeFrame(frame, framed.Samplings) : "picks without a lattice") +
     "\nz increases " + (isUp ? "upwards" : "downwards") +

@@ -56,7 +56,7 @@ void PlaceRows(PickTable& picks, const PlacementOptions& options)
   }
   if (options.Source != LatticeSource::OriginAndSteps)
   {
-    throw InputError("a matrix of heights without their places, expected the place of the first number, and steps to "
+    throw InputError("a matrix of heights without coordinates, expected those of the first number, and the steps to "
                      "the next number and the next line: set LatticeSource OriginAndSteps");
   }
   for (std::size_t pick = 0; pick < picks.Size(); ++pick)
@@ -136,7 +136,7 @@ SurveyLattice FindSurveyMap(const PickPlaces& picks, const PlacementOptions& opt
   }
   if (AreParallel(map.Steps.col(0), map.Steps.col(1)))
   {
-    RefuseLine("places of picks");
+    RefuseLine("positions of picks");
   }
   lattice.Origin = map.Origin;
   lattice.ColumnStep = map.Steps.col(0);

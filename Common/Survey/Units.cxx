@@ -27,6 +27,13 @@ std::string ShortUnit(std::string_view unit)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::string KnownUnit(std::string_view unit)
+{
+  const std::string lower = ToLower(unit);
+  return lower == "none" || lower == "unitless" || lower == "unknown" ? std::string() : std::string(unit);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void SetVerticalUnit(SurveyDescription& survey, std::string_view unit)
 {
   survey.VerticalUnit = ShortUnit(unit);

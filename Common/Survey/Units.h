@@ -13,6 +13,9 @@ namespace SeismicHorizons
 {
 std::string ShortUnit(std::string_view unit);
 
+/// Words of GOCAD such as "none" are no units.
+std::string KnownUnit(std::string_view unit);
+
 /// Sets an empty domain according to the unit.
 void SetVerticalUnit(SurveyDescription& survey, std::string_view unit);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Only this file depends on the version of VTK (Documentation/Versions.md).
+// Only this file depends on the version of VTK (Documentation/Install.md).
 
 #ifndef SeismicHorizonsVersionDifferences_h
 #define SeismicHorizonsVersionDifferences_h

@@ -17,8 +17,8 @@
  *  - CrackLoops (vtkIdType): the numbers of the loops all along cracks.
  *
  * Two points are connected if they are at most Radius columns apart along each axis; a patch is a set of connected
- * points. A patch inside the loop of another one, as an island in a hole without a loop, belongs to the outer patch. A
- * spur one column wide is traced out and back, and a single point has a loop from itself to itself. Loops may touch
+ * points. A patch inside the loop of another, such as an island in a hole without a loop, belongs to the outer patch.
+ * A spur one column wide is traced out and back, and a single point has a loop from itself to itself. Loops may touch
  * themselves and each other, but never cross.
  *
  * The method is that of the thesis (3.3, Def. 3.4, Alg. 3.1 and 3.2) as a walk around the faces of a plane graph of
@@ -49,9 +49,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What counts as boundary. Exterior: the outline of every patch. Topological4: every point with an empty column on
-   * one of its four sides. Topological8: also at a corner. See "Topological boundaries" in HorizonExteriorBoundary.md.
-   * Default: Exterior.
+   * What counts as boundary. Exterior: the outline of each patch. Topological4: points with an empty column on any of
+   * four sides. Topological8: at corners, too. See "Topological boundaries" in HorizonExteriorBoundary.md. Default:
+   * Exterior.
    *
    * Topological4 is Def. 3.2 of the thesis: loops run through just these points, around patches of neighbouring columns
    * and all holes, whatever Radius, GrowthStrategy, KeepHoles and the smallest hole are. With Topological8 the
@@ -60,14 +60,15 @@ public:
   vtkHorizonChoice3Macro(BoundaryType, BoundaryTypes, Exterior, Topological4, Topological8);
 
   /**
-   * The largest hop of an outline along each axis (k of the thesis). Up to Radius - 1 missing columns do not break a
-   * patch; larger values give fewer patches and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
+   * Largest hop of outlines along each axis: Radius - 1 missing columns are bridged. Larger values give fewer patches
+   * and coarser outlines. Unit: columns. Range: 1 to 32. Default: 1.
+   *
+   * This is k of the thesis.
    */
   vtkHorizonNumberMacro(Radius, int);
 
   /**
-   * How the outline continues where a Radius above 1 leaves a choice. Distance: from neighbour to neighbour, with
-   * single bridges over gaps; every detail stays. Clockwise: by the outermost hop, which cuts narrow bays short.
+   * How outlines run with a Radius above 1. Distance: around every detail. Clockwise: straight across narrow bays.
    * Default: Clockwise.
    *
    * Thesis, Alg. 3.1 and 3.2. Clockwise takes the first hop of a clockwise sweep.
@@ -75,14 +76,11 @@ public:
   vtkHorizonChoice2Macro(GrowthStrategy, GrowthStrategies, Distance, Clockwise);
 
   /**
-   * Whether holes have an outline and stay open in the mesh. Off: the mesh closes them. Default: off.
+   * Keep holes open, with an outline. Off: the mesh closes them. Default: off.
    *
    * A hole is what the hops of the chosen rule leave open inside a patch, with at least one column strictly inside.
    */
   vtkHorizonFlagMacro(KeepHoles);
-
-  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
-  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
 
   /**
    * Holes with fewer columns strictly inside are closed. Unit: columns. Range: at least 1. Default: 1.
@@ -100,20 +98,17 @@ public:
   vtkHorizonNumberMacro(SmallestHoleArea, double);
 
   /**
-   * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
+   * Patches with fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
   vtkHorizonNumberMacro(MinimumPatchSize, int);
 
   /**
-   * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * Split the horizon at faults (field data FaultedLinks). Off: later stages ignore them, too. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the output has no FaultedLinks.
    */
   vtkHorizonFlagMacro(TearAtFaults);
-
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
 
 protected:
   vtkHorizonExteriorBoundary() = default;

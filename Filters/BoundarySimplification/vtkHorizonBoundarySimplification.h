@@ -52,27 +52,30 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Which points are dropped. Threshold: one after the other, if near enough to the line through their neighbours, as
-   * in the thesis. FewestPoints: as many as OutlineTolerance and DistanceThreshold allow. Default: Threshold.
+   * Threshold: drops points close to the line through their neighbours. FewestPoints: drops as many as
+   * OutlineTolerance and DistanceThreshold allow. Default: Threshold.
+   *
+   * Threshold is the method of the thesis.
    */
   vtkHorizonChoice2Macro(Method, MethodType, Threshold, FewestPoints);
 
   /**
-   * A point is dropped if it is nearer than this to the line through its neighbours (t of the thesis). With
-   * FewestPoints: the largest height of a dropped point above or below the new outline. Unit: lattice units. Range: at
-   * least 0. Default: 0.4.
+   * Points closer to the line through their neighbours are dropped. With FewestPoints: largest vertical distance of a
+   * dropped point from the new outline. Unit: lattice units. Range: at least 0. Default: 0.4.
+   *
+   * This is t of the thesis.
    */
   vtkHorizonNumberMacro(DistanceThreshold, double);
 
   /**
-   * Whether dropped points stay within DistanceThreshold above or below the final outline. Off: only of the line when
-   * they are dropped, so that deviations add up. FewestPoints always does this. Default: off.
+   * Keep dropped points within DistanceThreshold vertically of the final outline, as FewestPoints does. Off:
+   * deviations can add up. Default: off.
    */
   vtkHorizonFlagMacro(BoundDeviation);
 
   /**
-   * The largest distance of a dropped point from the new outline on the map. 0 keeps the outline on the map; from about
-   * 0.5, staircases of the lattice become straight lines. Unit: columns. Range: at least 0. Default: 0.
+   * Largest distance in map view of a dropped point from the new outline. 0: the shape stays; about 0.5 and more:
+   * lattice staircases become straight. Unit: columns. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(OutlineTolerance, double);
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonCellSimplification
- * @brief   what the simplifications of the inside have in common
+ * @brief   base class of the simplifications by cells
  *
  * Input: the output of vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification. Output: boundary points and
  * loops, unchanged, then the representatives of cells. PointCount is summed: it is the number of points of the original
  * horizon that a point represents. At a barycentre, floating-point arrays and VerticalIndex (then double) are averaged,
  * weighted by PointCount; all other arrays are labels, taken from the nearest of the merged points. Its properties are
- * on HorizonRoughSimplification.md.
+ * on HorizonCellSimplification.md.
  *
  * New point data: CellOrigin (int, components Level, Ring, Kind): how often the cell was halved; its ring, from 1 at
  * the boundary, 0 without rings; and 0 for a boundary point, 1 for a barycentre, 2 for a point of the input.
@@ -33,27 +33,32 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The side of a cell (s of the thesis): a square in the rough simplification, where 3 leaves about one point in nine;
-   * a cube in the elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8
-   * in vtkHorizonElaborateSimplification.
+   * Edge length of cells: squares in the rough simplification (3 keeps about one point in nine), cubes in the
+   * elaborate one. Unit: lattice units. Range: at least 1. Default: 3 in vtkHorizonRoughSimplification, 8 in
+   * vtkHorizonElaborateSimplification.
+   *
+   * This is s of the thesis.
    */
   vtkHorizonNumberMacro(CellSize, int);
 
   /**
-   * The largest number of points, for which CellSize or FlatnessThreshold are chosen (thesis 6.2). 0: both as given.
-   * Outline points are always kept. Unit: points. Range: at least 0. Default: 0.
+   * Largest number of points, for which CellSize or FlatnessThreshold are chosen. 0: both as given. Outline points
+   * always stay. Unit: points. Range: at least 0. Default: 0.
+   *
+   * Thesis 6.2.
    */
   vtkHorizonNumberMacro(MaximumNumberOfPoints, int);
 
   /**
-   * The point that replaces those of a cell. Barycentre: their mean, with mean attributes, as in the thesis.
-   * NearestPoint: the point nearest to that on the map, with its own attributes. Default: Barycentre.
+   * Barycentre: mean of the points of a cell, with mean attributes. NearestPoint: the point nearest to it in map view,
+   * with its own attributes. Default: Barycentre.
+   *
+   * The thesis uses the barycentre.
    */
   vtkHorizonChoice2Macro(Representative, RepresentativeChoice, Barycentre, NearestPoint);
 
   /**
-   * For inspection: the output is the cells as wireframe. The cell data array CellOrigin has the halvings and the ring
-   * of each. Default: off.
+   * Output the cells as a wireframe, for inspection; array CellOrigin has their levels and rings. Default: off.
    */
   vtkHorizonFlagMacro(ShowCells);
 

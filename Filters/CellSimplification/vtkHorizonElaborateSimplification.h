@@ -44,44 +44,53 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The largest curvature of a flat cell: the least eigenvalue of the covariance of its points, divided by the sum of
-   * the three (thesis, eq. 4.5). Smaller values keep more points; the thesis uses 0.03 to 0.20. Range: 0 to 1/3.
+   * Largest curvature of a flat cell. Smaller values keep more points; the thesis uses 0.03 to 0.20. Range: 0 to 1/3.
    * Default: 0.12.
+   *
+   * The least eigenvalue of the covariance of the points of a cell, divided by the sum of the three (thesis, eq. 4.5).
    */
   vtkHorizonNumberMacro(FlatnessThreshold, double);
 
   /**
-   * A cell with outline points is halved unless it has more of them per unit of its side (PD of the thesis, eq. 4.2),
-   * and exceeds BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
+   * Cells with outline points are halved until they have more per unit of edge length, and exceed
+   * BoundaryExtentThreshold. Unit: points per lattice unit. Range: at least 0. Default: 0.25.
+   *
+   * PD of the thesis, eq. 4.2.
    */
   vtkHorizonNumberMacro(BoundaryDensityThreshold, double);
 
   /**
-   * A cell with outline points is halved unless two of them are farther apart than this (d_max of the thesis, eq. 4.1
-   * and 4.2), and it exceeds BoundaryDensityThreshold. Unit: lattice units. Range: at least 0. Default: 2.
+   * Cells with outline points are halved until two of them are farther apart, and BoundaryDensityThreshold is
+   * exceeded. Unit: lattice units. Range: at least 0. Default: 2.
+   *
+   * d_max of the thesis, eq. 4.1 and 4.2.
    */
   vtkHorizonNumberMacro(BoundaryExtentThreshold, double);
 
   /**
-   * A cell with outline points that is larger than this and not halved keeps one more point, for all its others. Unit:
-   * lattice units. Range: at least 0. Default: 2.
+   * Larger cells with outline points also keep one point for all others. Unit: lattice units. Range: at least 0.
+   * Default: 2.
    */
   vtkHorizonNumberMacro(BoundaryCellSizeThreshold, double);
 
   /**
-   * No cell is halved to a smaller side than this. Unit: lattice units. Range: at least 1. Default: 1.
+   * Cells are not halved below this size. Unit: lattice units. Range: at least 1. Default: 1.
    */
   vtkHorizonNumberMacro(SmallestCellSize, double);
 
   /**
-   * What the mean size of neighbours one ring further out is taken over. OverCubes: cubes, each with the mean size of
-   * its cells (thesis, eq. 4.3). OverPieces: their cells, which gives smaller cells inside. Default: OverCubes.
+   * What GrowthPerRing averages. OverCubes: cubes, each with the mean size of its cells. OverPieces: their cells, for
+   * smaller cells inside. Default: OverCubes.
+   *
+   * OverCubes is eq. 4.3 of the thesis.
    */
   vtkHorizonChoice2Macro(NeighbourMean, NeighbourMeanChoice, OverCubes, OverPieces);
 
   /**
-   * The largest size of a cell, divided by the mean of its neighbours one ring further out. 1: sizes never grow
-   * inwards, as in the thesis (eq. 4.3). 2: they may double from ring to ring. Range: at least 1. Default: 1.
+   * Largest growth of cells from ring to ring inwards. 1: none, as in the thesis. 2: double. Range: at least 1.
+   * Default: 1.
+   *
+   * The size of a cell, divided by the mean of its neighbours one ring further out (thesis, eq. 4.3).
    *
    * Up to the nearest size that halving gives.
    */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonContours
- * @brief   makes contours of a horizon, as long lines with labels
+ * @brief   contours a horizon, as long lines with labels
  *
  * Input: the points of a horizon, or its mesh; composite datasets of them. Output: a polyline per contour, closed where
  * it ends at its first point, at multiples of the interval. Points are drawn as a surface between neighbouring columns,
@@ -37,8 +37,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The distance of contours, which are at its multiples. 0: a round one that gives about twelve, for each horizon.
-   * Unit: that of z. Range: at least 0. Default: 0.
+   * Contour interval; levels are its multiples. 0: a round one for about twelve levels per horizon. Unit: that of z.
+   * Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(Interval, double);
 

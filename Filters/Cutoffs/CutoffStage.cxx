@@ -231,8 +231,8 @@ std::vector<std::string> WarnOfCutoffs(const CutoffModelData& model)
   }
   if (!missed.empty())
   {
-    warnings.push_back("faults that are off their picks, or turn too far along strike (" + ListFaults(missed) +
-      "), expected surfaces whose strike is within 60 degrees of its mean, without stray picks");
+    warnings.push_back("fault surfaces that miss their picks or turn too far along strike (" + ListFaults(missed) +
+      "), expected a strike within 60 degrees of its mean, and no stray picks");
   }
   if (!far.empty())
   {
@@ -290,7 +290,7 @@ CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::opt
   {
     const std::string faults = given->Alone.empty() ? "" : " (" + ListFaults(given->Alone) + ")";
     model.Warnings.push_back(std::to_string(given->NumberAlone) + " fault sticks" + faults +
-      " join no surface, expected two sticks of two points for each fault, beside each other");
+      " form no surface, expected at least two adjacent sticks of two points for each fault");
   }
   const VerticalAxis axis = ReadVerticalAxis(horizons.front().Points.Horizon.FieldData);
   if (options.Dip > 0.0 && axis.IsTime)

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonCutStage
- * @brief   what stages of horizons and the faults that cut them have in common
+ * @brief   base class of stages for horizons and the faults that cut them
  *
- * Input 0: the points of horizons, as composite datasets or several connections.
- * Input 1: faults, as sticks (lines) or triangles with the cell data FaultName; closed lines of the name of a fault are
- * its tip loop. Without it, the faults are those that the field data FaultedLinks of the horizons cut. Its properties are
- * on HorizonCutoffs.md.
+ * Input 0: the points of horizons, as composite datasets or several connections. Input 1: faults, as sticks (lines) or
+ * triangles with the cell data FaultName; a closed line with the name of a fault is its tip loop. Without it, the
+ * faults are those that the field data FaultedLinks of the horizons cut. Its properties are on HorizonCutoffs.md.
  *
  * @sa vtkHorizonCutoffs vtkHorizonSealedModel
  */
@@ -35,7 +34,7 @@ public:
 
   ///@{
   /**
-   * Sticks or surfaces of faults, in the coordinates of the horizons; optional. Range: lines, triangles. Default: none.
+   * Optional sticks or surfaces of faults, in the coordinates of the horizons. Range: lines, triangles. Default: none.
    *
    * Input 1.
    */
@@ -44,33 +43,32 @@ public:
   ///@}
 
   /**
-   * The dip of faults that are known from one horizon only, towards its lower side. 0: from the gap of picks along them;
-   * where picks are on both sides it is unknown, and so is the heave. Unit: degrees. Range: 5 to 90, or 0. Default: 0.
+   * Dip, towards the downthrown side, of faults known from one horizon only. 0: from the gap between picks; without
+   * one, dip and heave are unknown. Unit: degrees. Range: 5 to 90, or 0. Default: 0.
    */
   vtkHorizonNumberMacro(Dip, double);
 
   /**
-   * Picks nearer to a fault are not used, as they may be on the wrong side; where faults dip gently, nor those that two
-   * deviations of their noise would put there. Unit: columns. Range: at least 0. Default: 0.5.
+   * Picks closer to a fault, or within two standard deviations of noise where it dips gently, are ignored. Unit:
+   * columns. Range: at least 0. Default: 0.5.
    */
   vtkHorizonNumberMacro(DropDistance, double);
 
   /**
-   * Picks within six columns of a fault are not used if they are off the surface of those farther away by more than this
-   * many standard deviations of their noise, unless the horizon bends slowly. 0: all are used. Range: at least 0.
-   * Default: 4.
+   * Picks beside a fault are ignored if they deviate by more standard deviations of noise from those farther away. 0:
+   * all are used. See "Method" in HorizonCutoffs.md. Range: at least 0. Default: 4.
    */
   vtkHorizonNumberMacro(DropNoise, double);
 
   /**
-   * The largest vertical distance: of simplified cutoffs from the full ones, of horizons of a sealed model from their
-   * picks. -1: automatic, six times the noise of the horizon, in a sealed model of the roughest one. Unit: HeightUnit. Range:
-   * at least 0 (above 0 in a sealed model), or -1. Default: -1.
+   * Largest vertical error of simplified cutoffs, or of a sealed model at its picks. -1: automatic, six times the
+   * noise of the horizon, or of the roughest in a sealed model. Unit: HeightUnit. Range: at least 0 (above 0 in a
+   * sealed model), or -1. Default: -1.
    */
   vtkHorizonNumberMacro(MaximumError, double);
 
   /**
-   * The unit of MaximumError. Lattice: one vertical index. World: the unit of z. Default: Lattice.
+   * Unit of MaximumError. Lattice: vertical index. World: unit of z. Default: Lattice.
    */
   vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Lattice, World);
 

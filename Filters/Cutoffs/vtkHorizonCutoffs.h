@@ -6,8 +6,8 @@
  *
  * Inputs are those of vtkHorizonCutStage, horizons of one vertical domain and unit.
  *
- * A fault is a smooth plate through its sticks. Picks on each side of it are continued to it; those of the wrong side do
- * not agree with the others of their own, and are dropped. Outputs, of which the first two have a block per horizon:
+ * A fault is a smooth plate through its sticks. Picks on each side are continued to it; picks on the wrong side
+ * disagree with the rest, and are dropped. Outputs, of which the first two have a block per horizon:
  *  - 0 Cutoffs: two lines per fault and piece along it. Cell data: FaultLine, FaultName, and FaultStick ("footwall" or "hanging
  *    wall"). Point data (double): Throw, Heave, Spread (the standard deviation of the height by noise), Along (distance
  *    along strike), and Guessed (unsigned char: 0 within two columns of picks, 1 extrapolated, 2 interpolated)
@@ -43,12 +43,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How far horizons are continued to a fault, and interpolated along it. Unit: columns. Range: at least 1. Default: 20.
+   * How far horizons are continued to a fault, and interpolated along it. Unit: columns. Range: at least 1. Default:
+   * 20.
    */
   vtkHorizonNumberMacro(LargestGap, double);
 
   /**
-   * A horizon that a fault cuts over less is uncut there. Unit: columns. Range: at least 2. Default: 5.
+   * Shorter cuts of a horizon by a fault are ignored. Unit: columns. Range: at least 2. Default: 5.
    */
   vtkHorizonNumberMacro(SmallestLength, double);
 

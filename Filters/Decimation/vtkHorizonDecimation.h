@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonDecimation
- * @brief   makes a mesh of few triangles that is nowhere farther from the horizon than an error you choose
+ * @brief   makes a mesh with few triangles, within an error of the horizon that you choose
  *
  * Input: the output of vtkHorizonExteriorBoundary or vtkHorizonBoundarySimplification, with points on whole columns.
  *
@@ -54,19 +54,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What limits the number of points. LargestError: MaximumError. NumberOfPoints: MaximumNumberOfPoints.
-   * Reduction: TargetReduction. Default: LargestError.
+   * What limits the mesh: MaximumError, MaximumNumberOfPoints or TargetReduction. Default: LargestError.
    */
   vtkHorizonChoice3Macro(Target, Targets, LargestError, NumberOfPoints, Reduction);
 
   /**
-   * The largest number of points of each horizon, outlines included. Unit: points. Range: at least 1. Default: 10000.
+   * Largest number of points per horizon, outlines included. Unit: points. Range: at least 1. Default: 10000.
    */
   vtkHorizonNumberMacro(MaximumNumberOfPoints, int);
 
   /**
-   * The fraction of the points of each horizon to drop; 0.95 leaves one in twenty. Unit: fraction of the points. Range:
-   * 0 to 1. Default: 0.95.
+   * Fraction of points to drop per horizon; 0.95 keeps one in twenty. Unit: fraction of the points. Range: 0 to 1.
+   * Default: 0.95.
    */
   vtkHorizonNumberMacro(TargetReduction, double);
 

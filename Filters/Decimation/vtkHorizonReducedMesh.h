@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonReducedMesh
- * @brief   what the filters that make a mesh of few triangles within an error have in common
+ * @brief   base class of filters that make a mesh with few triangles within an error
  *
  * How far the mesh may be from the horizon, and how much is done for few triangles. Its properties are on
  * HorizonSurface.md.
@@ -29,67 +29,71 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The largest vertical distance of a point of the horizon from the mesh. -1: automatic, six times the noise of the
-   * heights. For heights in whole voxels, 0.75 comes nearest to the true surface. Unit: ErrorUnit. Range: at least 0, or
-   * -1. Default: -1.
+   * Largest vertical distance of horizon points from the mesh. -1: automatic, six times the noise. 0.75 is best for
+   * heights in whole voxels. Unit: ErrorUnit. Range: at least 0, or -1. Default: -1.
    */
   vtkHorizonNumberMacro(MaximumError, double);
 
   /**
-   * The unit of MaximumError. Lattice: one vertical index, a voxel. World: the unit of z. Diagonal: the diagonal of the
-   * bounding box, in lattice units. Default: Lattice.
+   * Unit of MaximumError. Lattice: vertical index (voxel). World: unit of z. Diagonal: bounding-box diagonal in
+   * lattice units. Default: Lattice.
    */
   vtkHorizonChoice3Macro(ErrorUnit, ErrorUnits, Lattice, World, Diagonal);
 
   /**
-   * Whether heights of inner vertices are fitted to the points around them, for fewer vertices. Off: every vertex is a
-   * point of the horizon, with its attributes. Default: on.
+   * Fit heights of inner vertices to nearby points, for fewer vertices. Off: vertices are points of the horizon, with
+   * their attributes. Default: on.
    */
   vtkHorizonFlagMacro(FitHeights);
 
   /**
-   * How thoroughly the mesh is optimised. Fast: points are inserted where the mesh is farthest from the horizon. Best:
-   * vertices are then removed or moved and edges flipped, which needs half as many points or fewer, and two to four times
-   * the time. Default: Best.
+   * How thoroughly the mesh is optimised. Best needs half as many points as Fast, or fewer, in two to four times the
+   * time. Default: Best.
+   *
+   * Fast inserts points where the mesh is farthest from the horizon; Best then removes and moves vertices and flips
+   * edges.
    */
   vtkHorizonChoice2Macro(Effort, Efforts, Fast, Best);
 
   /**
-   * Which error is minimised unless the target is LargestError. LargestErrors: the largest one. SumOfSquares: the sum
-   * of squares, and with it the mean. Default: SumOfSquares.
+   * Error to minimise unless Target is LargestError. LargestErrors: the largest. SumOfSquares: the sum of squares, and
+   * so the mean. Default: SumOfSquares.
    */
   vtkHorizonChoice2Macro(Priority, Priorities, LargestErrors, SumOfSquares);
 
   /**
-   * No flip or removal makes a smaller angle, seen from above on the lattice, unless a smaller one was there before.
-   * Within an error, points are inserted beside smaller ones: all with the effort Fast, those below 2 degrees with Best.
-   * Larger values need more points: 5 one in twenty, 10 one in five. Unit: degrees. Range: 0 to 60. Default: 2.
+   * Smallest angle in map view that optimisation may create. Within an error, points are added at sharper ones: all
+   * with the effort Fast, below 2 degrees with Best. 5: 5 % more points; 10: 20 %. Unit: degrees. Range: 0 to 60.
+   * Default: 2.
+   *
+   * Angles are measured on the lattice. A change may leave a smaller angle where there was a smaller one before.
    */
   vtkHorizonNumberMacro(SmallestAngle, double);
 
   /**
-   * For an even mesh within an error, as simulators need it: the longest inner edge. Triangles are near equilateral, and
-   * smaller where the error takes that; angles are at least 25 degrees unless outlines leave less. The effort does not
-   * matter then. 0: as long as the error allows, for few triangles. Unit: columns. Range: 0, or at least 4. Default: 0.
+   * For even, near-equilateral triangles within an error: longest inner edge, less where the error requires it. Angles
+   * are at least 25 degrees unless outlines prevent it; Effort has no effect. 0: off. Unit: columns. Range: 0, or at
+   * least 4. Default: 0.
    */
   vtkHorizonNumberMacro(EdgeLength, double);
 
   /**
-   * With an EdgeLength, edges beside outlines and faults are at most three columns long, and grow by this part of the
-   * distance from them. 0: they have the EdgeLength everywhere. Range: 0 to 1. Default: 0.
+   * Growth of edges per distance from outlines and faults, from at most three columns up to EdgeLength. 0: EdgeLength
+   * everywhere. Range: 0 to 1. Default: 0.
    */
   vtkHorizonNumberMacro(EdgeGrowth, double);
 
   /**
-   * How far inner edges may be, vertically, from the line between two neighbouring columns where they cross it. Same: as
-   * far as points. Twice: twice as far, for 5 to 9 % fewer points. Unbounded: triangles between columns may stand up like
-   * spikes, for 5 to 15 % fewer points. Default: Same.
+   * Vertical error of inner edges between columns. Same: that of points. Twice: double, for fewer points on most
+   * horizons. Unbounded: still fewer, but spikes between columns. Default: Same.
+   *
+   * Measured where an edge crosses the line between two neighbouring columns.
    */
   vtkHorizonChoice3Macro(CrossingTolerance, CrossingTolerances, Same, Twice, Unbounded);
 
   /**
-   * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. See "Closed meshes" in
-   * HorizonFaults.md. Default: off.
+   * Close cracks at faults with steep triangles (1 in array Fault). See "Closed meshes" in HorizonFaults.md. Default:
+   * off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure or array counts them; the new FaultTriangleCount (vtkIdType) has their number.

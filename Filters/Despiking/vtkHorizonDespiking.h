@@ -13,8 +13,8 @@
  * Field data: NumberOfSpikes, NumberOfSpurPoints (vtkIdType), and SpikeThreshold (double), in vertical indices.
  *
  * The height of a spike differs by more than Threshold from the median of the points around it, each continued along
- * the dip to the column of the point. Straight faults are no spikes, since the median follows the larger side. A point
- * is on a spur if no full square of SpurWidth + 1 columns covers it (a morphological opening).
+ * the dip to the column of the point. Points at straight faults are not spikes, since the median follows the larger
+ * side. A point is on a spur if no full square of SpurWidth + 1 columns covers it (a morphological opening).
  *
  * Time is linear in the points and in the square of NeighborhoodRadius.
  *
@@ -39,40 +39,36 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What happens to spikes and spurs. Remove: they are left out. Flag: all points stay, and the array Spike is 1 at
-   * spikes, 2 on spurs. Default: Remove.
+   * Remove: spikes and spurs are dropped. Flag: they stay, with 1 for spikes, 2 for spurs in array Spike. Default:
+   * Remove.
    */
   vtkHorizonChoice2Macro(Action, Actions, Remove, Flag);
 
   /**
-   * The largest distance of a point above or below the surface through the points around it. 0: four times the noise,
-   * measured on each horizon. Unit: ThresholdUnit. Range: at least 0. Default: 0.
+   * Points farther above or below the surface through their neighbours are spikes. 0: four times the noise of each
+   * horizon. Unit: ThresholdUnit. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(Threshold, double);
 
   /**
-   * The unit of Threshold. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
+   * Unit of Threshold. Lattice: vertical index (voxel). World: unit of z. Default: Lattice.
    */
   vtkHorizonChoice2Macro(ThresholdUnit, ThresholdUnits, Lattice, World);
 
   /**
-   * The extent of the points around, along each axis: 2 is a square of 5 by 5 columns. Unit: columns. Range: 1 to 16.
-   * Default: 2.
+   * Reach of the neighbourhood along each axis; 2: 5 by 5 columns. Unit: columns. Range: 1 to 16. Default: 2.
    */
   vtkHorizonNumberMacro(NeighborhoodRadius, int);
 
   /**
-   * The largest width of strips and spurs to remove; 0: none. Unit: columns. Range: 0 to 64. Default: 0.
+   * Widest strips and spurs to remove; 0: none. Unit: columns. Range: 0 to 64. Default: 0.
    */
   vtkHorizonNumberMacro(SpurWidth, int);
 
-  /// The name of SpurWidth in version 0.2, for scripts of that version. @deprecated Use SetSpurWidth.
-  void SetThreadWidth(int width) { this->SetSpurWidth(width); }
-
-  /// How many points are spikes, in all horizons of the last update.
+  /// Spikes in all horizons.
   vtkGetMacro(NumberOfSpikes, vtkIdType);
 
-  /// How many points are on spurs, in all horizons of the last update.
+  /// Points on spurs in all horizons.
   vtkGetMacro(NumberOfSpurPoints, vtkIdType);
 
 protected:

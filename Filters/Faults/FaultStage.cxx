@@ -5,11 +5,13 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
+#include "Common/Survey/SurveyFields.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
 #include "Filters/Common/CellWriter.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LatticePoints.h"
+#include "Filters/Common/PlacedPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -257,21 +259,27 @@ bool UsePolygons(PolygonUse use, std::vector<FaultPolyline>& polylines, LatticeP
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultStick> ReadFaultSticks(const Horizon& lines)
-{
-  std::vector<FaultStick> polylines;
-  AppendCells(lines, lines.Lines, false, lines.Vertices.Size(), polylines);
-  AppendCells(lines, lines.Polygons, true, lines.Vertices.Size() + lines.Lines.Size(), polylines);
-  return polylines;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 std::vector<FaultStick> ReadFaultSticks(const NamedHorizon& block)
 {
-  std::vector<FaultStick> sticks = ReadFaultSticks(block.Data);
+  const Horizon& lines = block.Data;
+  std::vector<FaultStick> sticks;
+  AppendCells(lines, lines.Lines, false, lines.Vertices.Size(), sticks);
+  AppendCells(lines, lines.Polygons, true, lines.Vertices.Size() + lines.Lines.Size(), sticks);
   for (FaultStick& stick : sticks)
   {
     stick.Fault = stick.Fault.empty() ? block.Name : stick.Fault;
+  }
+  return sticks;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<FaultStick> ReadFaultSticks(const std::vector<NamedHorizon>& blocks)
+{
+  std::vector<FaultStick> sticks;
+  for (const NamedHorizon& block : blocks)
+  {
+    std::vector<FaultStick> own = ReadFaultSticks(block);
+    std::move(own.begin(), own.end(), std::back_inserter(sticks));
   }
   return sticks;
 }
@@ -304,6 +312,10 @@ void RunFaults(const Horizon& horizon, GivenFaults& faultsGiven, FaultStageOptio
   const ColumnHeights heights(points.Column, points.Height);
   if (options.AreSticks)
   {
+    for (const NamedHorizon& block : faultsGiven.Blocks)
+    {
+      JoinSurveys(ReadSurveyFields(horizon.FieldData), block.Data, { "the fault sticks", "the horizon" });
+    }
     std::vector<FaultSheet> sheets = MakeFaultSheets(given, options.ExtendSticks);
     WriteFaultSheets(sheets, outputs[SurfacesPort]);
     ToLattice(sheets, points.Lattice);

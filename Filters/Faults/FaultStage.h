@@ -33,11 +33,10 @@ struct FaultStageOptions : FaultDetectionOptions
 };
 
 /// Lines and polygons, which become closed, in world coordinates. Sticks of a fault have the same FaultName in the cell
-/// data; without FaultStick, names may end with the number of the stick if all are different.
-std::vector<FaultStick> ReadFaultSticks(const Horizon& lines);
-
-/// Sticks without a name have that of their block.
+/// data; without FaultStick, names may end with the number of the stick if all are different. Sticks without a name have
+/// that of their block.
 std::vector<FaultStick> ReadFaultSticks(const NamedHorizon& block);
+std::vector<FaultStick> ReadFaultSticks(const std::vector<NamedHorizon>& blocks);
 
 /// Fills the outputs, which have the field data: the horizon with FaultedLinks, fault lines, and surfaces of sticks.
 void RunFaults(const Horizon& horizon, GivenFaults& given, FaultStageOptions options, std::vector<Horizon>& outputs,

@@ -4,6 +4,7 @@
 #include "FaultWarnings.h"
 
 #include "Common/Horizon/PlaneGeometry.h"
+#include "FaultStage.h"
 
 #include <algorithm>
 #include <array>
@@ -133,7 +134,7 @@ IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vecto
   }
   if (found.SticksAlone > 0 && found.Cause.empty())
   {
-    found.Cause = "sticks that join no surface";
+    found.Cause = "sticks that form no surface";
   }
   return found;
 }
@@ -178,7 +179,7 @@ std::vector<std::string> IdleLines::Warnings() const
   {
     const std::string of = this->FaultsAlone.empty() ? "" : " (" + ListFaults(this->FaultsAlone) + ")";
     warnings.push_back(std::to_string(this->SticksAlone) + " of " + std::to_string(this->Given) + " fault sticks" + of +
-      " join no surface, expected two sticks of two points for each fault, beside each other");
+      " form no surface, expected at least two adjacent sticks of two points for each fault");
   }
   if (!this->Uncut.empty())
   {
@@ -188,9 +189,16 @@ std::vector<std::string> IdleLines::Warnings() const
   if (!this->Beside.empty())
   {
     warnings.push_back(std::to_string(this->Beside.size()) + " of " + std::to_string(this->Given) + " fault lines (" +
-      ListFaults(this->Beside) + ") are at least half beside the horizon");
+      ListFaults(this->Beside) + ") lie at least half outside the horizon");
   }
   return warnings;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GivenFaults::GivenFaults(std::vector<NamedHorizon> blocks)
+  : Blocks(std::move(blocks))
+  , Sticks(ReadFaultSticks(this->Blocks))
+{
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsFaultWarnings_h
 #define SeismicHorizonsFaultWarnings_h
 
+#include "Common/Horizon/NamedHorizon.h"
 #include "Filters/Algorithms/Faults/FaultLines.h"
 #include "Filters/Algorithms/Faults/FaultSurfaces.h"
 #include "Filters/Common/LatticePoints.h"
@@ -46,15 +47,14 @@ IdleLines FindIdleSticks(const std::vector<FaultStick>& sticks, const std::vecto
 IdleLines FindIdleLines(
   const std::vector<FaultStick>& lines, const std::vector<FaultPolyline>& onMap, const LatticePoints& points);
 
-/// Given lines, and which of them have an effect on the horizons so far.
+/// Given lines, and which of them have an effect on the horizons so far. Sticks without a name in different blocks belong
+/// to different faults.
 class GivenFaults
 {
 public:
-  explicit GivenFaults(std::vector<FaultStick> sticks = {})
-    : Sticks(std::move(sticks))
-  {
-  }
+  explicit GivenFaults(std::vector<NamedHorizon> blocks = {});
 
+  const std::vector<NamedHorizon> Blocks;
   const std::vector<FaultStick> Sticks;
 
   bool HaveHorizons() const { return this->Idle.has_value(); }

@@ -5,17 +5,13 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/VTK/HorizonConversion.h"
-#include "FaultStage.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
-#include <iterator>
 #include <string>
-#include <utility>
 
 namespace SeismicHorizons
 {
@@ -49,17 +45,5 @@ std::vector<NamedHorizon> ListGivenLines(vtkDataObject* lines)
       { "fault " + std::to_string(leaves->GetCurrentFlatIndex()), LinesOf(leaves->GetCurrentDataObject()) });
   }
   return blocks;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::vector<FaultStick> ReadGivenLines(vtkDataObject* lines)
-{
-  std::vector<FaultStick> polylines;
-  for (const NamedHorizon& block : ListGivenLines(lines))
-  {
-    std::vector<FaultStick> own = ReadFaultSticks(block);
-    std::move(own.begin(), own.end(), std::back_inserter(polylines));
-  }
-  return polylines;
 }
 }

@@ -64,7 +64,7 @@ void vtkHorizonFaults::ProcessHorizon(const Horizon& horizon, Outputs& outputs, 
   options.Polygons = static_cast<PolygonUse>(this->Polygons);
   if (!this->Given)
   {
-    this->Given = std::make_shared<GivenFaults>(ReadGivenLines(lines));
+    this->Given = std::make_shared<GivenFaults>(ListGivenLines(lines));
   }
   const bool isFirst = !this->Given->HaveHorizons();
   RunFaults(horizon, *this->Given, options, outputs, monitor);

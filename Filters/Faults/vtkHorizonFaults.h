@@ -63,89 +63,86 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether surfaces of Sticks continue at both ends by the distance of the last two sticks. Default: off.
+   * Extend the surfaces of Sticks at both ends by the last stick spacing. Default: off.
    */
   vtkHorizonFlagMacro(ExtendSticks);
 
   /**
-   * What fault polygons among Traces do. Blank: points inside, where values are made up, are left out. Cut: they stay,
-   * as islands. Leave: nothing. Default: Blank.
+   * Fault polygons among Traces. Blank: points inside are dropped. Cut: they stay, as islands. Leave: no effect.
+   * Default: Blank.
    */
   vtkHorizonChoice3Macro(Polygons, PolygonUses, Blank, Cut, Leave);
 
   /**
-   * Whether faults are detected in the heights. Off: only lines that you supply cut. Default: on.
+   * Detect faults from the heights. Off: cut along supplied lines only. Default: on.
    */
   vtkHorizonFlagMacro(Detect);
 
   /**
-   * The throw that a fault must reach somewhere; its ends are found down to half of it. 0: eight times the noise of the
-   * heights of each horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * Throw that a fault must reach somewhere; it is followed down to half of this. 0: eight times the noise of each
+   * horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(SmallestThrow, double);
 
   /**
-   * Standard deviation of height differences between neighbouring columns due to noise alone. 0: measured on each
-   * horizon. Unit: ThrowUnit. Range: at least 0. Default: 0.
+   * Standard deviation of noise in height differences between neighbouring columns. 0: measured per horizon. Unit:
+   * ThrowUnit. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(Noise, double);
 
   /**
-   * The unit of SmallestThrow and Noise. Lattice: one vertical index, a voxel. World: the unit of z. Default: Lattice.
+   * Unit of SmallestThrow and Noise. Lattice: vertical index (voxel). World: unit of z. Default: Lattice.
    */
   vtkHorizonChoice2Macro(ThrowUnit, ThrowUnits, Lattice, World);
 
   /**
-   * The least extent of a fault along i or j. Unit: columns. Range: at least 0. Default: 20.
+   * Smallest extent of a fault along i or j. Unit: columns. Range: at least 0. Default: 20.
    */
   vtkHorizonNumberMacro(SmallestExtent, int);
 
   /**
-   * Branches of a fault with fewer faulted links are dropped. Unit: links. Range: at least 0. Default: 10.
+   * Branches with fewer faulted links are dropped. Unit: links. Range: at least 0. Default: 10.
    */
   vtkHorizonNumberMacro(SmallestBranch, int);
 
   /**
-   * Faults are followed across up to this many missing columns in a row. Unit: columns. Range: at least 0. Default: 5.
+   * Most missing columns in a row that a fault may cross. Unit: columns. Range: at least 0. Default: 5.
    */
   vtkHorizonNumberMacro(LargestGap, int);
 
   /**
-   * Also finds faults that bend the surface over up to this many columns instead of tearing it, and cuts them in the
-   * middle. 0: none. Unit: columns. Range: 0 to 10. Default: 7.
+   * Widest ramp to treat as a fault, cut in the middle. 0: steps only. Unit: columns. Range: 0 to 10. Default: 7.
    */
   vtkHorizonNumberMacro(LargestRamp, int);
 
   /**
-   * Whether fault lines that end at a hole and point to each other become one, if their throws are similar. Default:
-   * on.
+   * Join fault lines across a hole if they point to each other and have similar throws. Default: on.
    */
   vtkHorizonFlagMacro(JoinThroughHoles);
 
   /**
-   * Standard deviation of height differences due to noise alone, in vertical indices; the largest of all horizons of
-   * the last update.
+   * Largest standard deviation of noise in height differences of any horizon, in vertical indices.
    */
   vtkGetMacro(MeasuredNoise, double);
 
-  /// How many fault lines there are, in all horizons of the last update.
+  /// Fault lines in all horizons.
   vtkGetMacro(NumberOfFaultLines, vtkIdType);
 
-  /// How many links between columns are cut, in all horizons of the last update.
+  /// Links cut in all horizons.
   vtkGetMacro(NumberOfFaultedLinks, vtkIdType);
 
   /**
-   * What the fault lines are. Traces: fault traces or polygons, seen from above. Sticks: lines down faults; the horizon
-   * is cut where it meets the surface between them, the third output. Default: Traces.
+   * Traces: fault traces or polygons, in map view. Sticks: lines down faults; the surface between them, the third
+   * output, cuts the horizon. Default: Traces.
    *
-   * Sticks of one fault have the same name in the cell array FaultName, or names such as "A 1", "A 2" that are all
-   * different, without the array FaultStick.
+   * Sticks of one fault share a name in the cell array FaultName; without the array FaultStick, names may also be "A
+   * 1", "A 2", all different.
    */
   vtkHorizonChoice2Macro(LineType, LineTypes, Traces, Sticks);
 
   ///@{
   /**
-   * Fault traces, polygons or sticks in the coordinates of the horizon, as of vtkFaultLinesReader; optional. Unit:
+   * Optional fault traces, polygons or sticks in the coordinates of the horizon, as from vtkFaultLinesReader. Unit:
    * world units. Range: lines, polygons. Default: none.
    *
    * Input 1.

@@ -46,7 +46,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Holes of more columns than this stay open. Unit: columns. Range: at least 1. Default: 2500.
+   * Holes of more columns stay open. Unit: columns. Range: at least 1. Default: 2500.
    */
   vtkHorizonNumberMacro(LargestHoleSize, vtkIdType);
 
@@ -59,15 +59,14 @@ public:
   vtkHorizonNumberMacro(LargestHoleArea, double);
 
   /**
-   * The surface over a hole. Plate: continues the slope and curvature of the rim. Membrane: like a skin, never above or
-   * below the rim. Automatic: a plate with RimSmoothing and RimWidth chosen by the roughness of the horizon. Default:
-   * Automatic.
+   * Plate: continues slope and curvature of the rim. Membrane: stays between the heights of the rim. Automatic: a
+   * plate with RimSmoothing and RimWidth chosen by roughness. Default: Automatic.
    */
   vtkHorizonChoice3Macro(Method, Methods, Plate, Membrane, Automatic);
 
   /**
-   * How much noise of the rim the Method Plate smooths; known points never move. 0: none, for clean data. 1: for
-   * autotracked picks. 16: for a noise of more than half a vertical index. Range: 0 to 1e6. Default: 1.
+   * Smoothing of rim noise by Plate; known points never move. 0: none, for clean data. 1: for autotracked picks. 16:
+   * for noise above half a vertical index. Range: 0 to 1e6. Default: 1.
    *
    * The inverse of the strength of the plate's springs; 0, and all below a millionth, makes it pass through all
    * heights.
@@ -75,36 +74,34 @@ public:
   vtkHorizonNumberMacro(RimSmoothing, double);
 
   /**
-   * How many columns of known points around a hole the Method Plate continues; more for noisy data. Unit: columns.
-   * Range: 1 to 64. Default: 3.
+   * Width of the rim that Plate continues; more for noisy data. Unit: columns. Range: 1 to 64. Default: 3.
    *
    * Below 2 it has no slope from a rim that is straight.
    */
   vtkHorizonNumberMacro(RimWidth, int);
 
   /**
-   * Floating-point attributes at new points. FromRim: values between those of the rim. NotANumber: nan. Default:
-   * FromRim.
+   * Floating-point attributes at new points. FromRim: interpolated from the rim. NotANumber: nan. Default: FromRim.
    *
    * FromRim carries them inwards by a membrane, where values that are not finite count as unknown.
    */
   vtkHorizonChoice2Macro(Attributes, AttributeChoices, FromRim, NotANumber);
 
   /**
-   * Columns outside the horizon, at most this far from it and in the survey, are filled, too, with 2 in the array
-   * Filled. Unit: columns. Range: 0 to 10000. Default: 0.
+   * Columns up to this far outside the horizon, within the survey, are also filled (2 in array Filled). Unit: columns.
+   * Range: 0 to 10000. Default: 0.
    *
    * The survey is that of LatticeDimensions: a distance of its size fills it. Holes have the limits above.
    */
   vtkHorizonNumberMacro(ExtrapolationDistance, int);
 
-  /// How many holes were filled, in all horizons of the last update.
+  /// Holes filled in all horizons.
   vtkGetMacro(NumberOfFilledHoles, vtkIdType);
 
-  /// How many points were added, in all horizons of the last update.
+  /// Points added in all horizons.
   vtkGetMacro(NumberOfFilledPoints, vtkIdType);
 
-  /// How many holes stay open, as they are too large, in all horizons of the last update.
+  /// Holes too large to fill, in all horizons.
   vtkGetMacro(NumberOfOpenHoles, vtkIdType);
 
 protected:

@@ -203,7 +203,7 @@ std::optional<LinkCuts> HorizonStack::FindCuts() const
       if (from.X != to.X && from.Y != to.Y)
       {
         throw InputError("faults of " + horizon.Name +
-          " on a lattice that is turned, expected rows and columns along those of the others: Horizon From Points "
+          " on a rotated lattice, expected rows and columns along those of the others: Horizon From Points "
           "grids its points there");
       }
       if (this->Box.Contains(from) && this->Box.Contains(to))

@@ -198,7 +198,7 @@ std::vector<std::string> ReportMissing(
     }
     if (!notRead.empty())
     {
-      lines.push_back(names[layer] + " with heights that were not read over a part of its area (" + notRead +
+      lines.push_back(names[layer] + " with interpolated heights over part of its area (" + notRead +
         "), expected points of both horizons");
     }
     if (!leftOut.str().empty())

@@ -225,7 +225,8 @@ void WriteLayers(const Layers& layers, const HorizonStack& stack, const LayerSta
   WarnOfContact(given.Contact, result.Volumes, result.Warnings);
   result.Report = ReportLayers(layers, volumes, stack);
   WarnOfEmpty(volumes, stack, result.Warnings);
-  const char* const ofDomain = given.Domain == LayerDomain::EachLayer ? "" : ": Domain EachLayer leaves out less";
+  const bool isOneLayer = stack.Size() == 2;
+  const char* const ofDomain = isOneLayer || given.Domain == LayerDomain::EachLayer ? "" : ": Domain EachLayer leaves out less";
   const char* const advice = given.Missing == MissingPolicy::Follow ? ofDomain : ": Missing Follow leaves out less";
   const std::vector<std::string> missing = ReportMissing(layers.Ledgers, stack, advice);
   result.Warnings.insert(result.Warnings.end(), missing.begin(), missing.end());

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonCrossings
- * @brief   puts horizons that cross in order, column by column
+ * @brief   puts crossing horizons in order, column by column
  *
- * Input: as of vtkHorizonStackStage. Output: the same horizons, the uppermost first, with all points and all arrays but
- * RealZ; where horizons cross, points are moved up or down. Horizons that become one get the same z, to the bit, and
- * points that stay keep theirs. Point data: Moved (double), how far a point was moved upwards, in the unit of z. Field
- * data: MovedColumns (vtkIdType) and FarthestMove (double).
+ * Input: as of vtkHorizonStackStage. Output: the same horizons, the uppermost first, with all points and all arrays
+ * but RealZ; where horizons cross, points are moved up or down. Horizons that merge have bitwise identical z, and
+ * points that are not moved keep theirs. Point data: Moved (double), how far a point was moved upwards, in the unit of
+ * z. Field data: MovedColumns (vtkIdType) and FarthestMove (double).
  *
- * The repair is exact in each column: the heights in order that are nearest to the given ones, by squares, or a running
+ * The repair is exact in each column: the ordered heights nearest to the given ones by least squares, or a running
  * minimum or maximum where one of two horizons wins. Errors: those of vtkHorizonLayers.
  *
  * @sa vtkHorizonLayers
@@ -30,8 +30,7 @@ public:
   vtkTypeMacro(vtkHorizonCrossings, vtkHorizonStackStage);
 
   /**
-   * What the last update did: of each pair of neighbours the columns where they crossed, and of each horizon those that
-   * were moved.
+   * Columns where neighbours crossed, and where each horizon was moved.
    *
    * Lines of text. Empty before the first update, and after an error.
    */

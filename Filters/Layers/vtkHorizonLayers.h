@@ -57,127 +57,123 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The largest vertical distance of a point of any horizon from the layers. -1: automatic, six times the noise of the
-   * horizon that has the most. Unit: HeightUnit. Range: at least 0, or -1. Default: -1.
+   * Largest vertical distance of horizon points from the layers. -1: automatic, six times the noise of the noisiest
+   * horizon. Unit: HeightUnit. Range: at least 0, or -1. Default: -1.
    */
   vtkHorizonNumberMacro(MaximumError, double);
 
   /**
-   * Whether the thickness of each layer is within MaximumError, too. Off: within twice that, with fewer cells. Default:
-   * off.
+   * Keep thickness within MaximumError, too. Off: within twice that, with fewer cells. Default: off.
    */
   vtkHorizonFlagMacro(BoundThickness);
 
   /**
-   * Whether layers end along lines through the outermost columns without them. Off: they end in thin feathers beyond.
-   * Default: on.
+   * End layers at lines through the outermost columns without them. Off: in thin feathers beyond. Default: on.
    */
   vtkHorizonFlagMacro(PinchOutLines);
 
   /**
-   * The smallest area without a layer that has a pinch-out line. Unit: columns. Range: at least 1. Default: 25.
+   * Smallest area without a layer that gets a pinch-out line. Unit: columns. Range: at least 1. Default: 25.
    */
   vtkHorizonNumberMacro(SmallestPinch, int);
 
   /**
-   * Where layers are. EachLayer: where both horizons of a layer are. Common: where all horizons are, with outlines simplified within MaximumError, at most 0.75 columns on the map, and small holes closed. Default:
-   * EachLayer.
+   * EachLayer: layers are where both their horizons are. Common: where all horizons are, with small holes closed and
+   * outlines simplified within MaximumError, in map view at most 0.75 columns. Default: EachLayer.
    */
   vtkHorizonChoice2Macro(Domain, Domains, EachLayer, Common);
 
   /**
-   * Whether outlines of the domain Common stay unchanged on the map: volumes then differ by heights alone. Default:
-   * off.
+   * With Domain Common, keep outlines unchanged in map view. Default: off.
+   *
+   * Volumes then differ by heights alone.
    */
   vtkHorizonFlagMacro(KeepOutlines);
 
   /**
-   * Whether faults of the horizons (field data FaultedLinks) divide layers. Default: on.
+   * Divide layers at faults of the horizons (field data FaultedLinks). Default: on.
    */
   vtkHorizonFlagMacro(TearAtFaults);
 
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
-
   /**
-   * What happens where a horizon has no points. Void: both layers beside it are absent. Interpolate: its holes and gaps
-   * are closed, up to LargestHoleSize and LargestGap. Follow: in addition, a horizon that is absent between two others
-   * follows the one that it is nearer to along the border of the area, so that no rock between these is lost. Default:
-   * Follow.
+   * Void: layers beside missing points are absent. Interpolate: holes and gaps are closed, up to LargestHoleSize and
+   * LargestGap. Follow: also, a horizon missing between two others follows the nearer one, so that no rock is lost.
+   * See "Where points are missing" in HorizonLayers.md. Default: Follow.
    */
   vtkHorizonChoice3Macro(Missing, MissingPolicies, Void, Interpolate, Follow);
 
   /**
-   * Enclosed holes of up to this size are closed, by a smooth surface as in Horizon Hole Filling. Unit: columns. Range:
-   * at least 0. Default: 2500.
+   * Enclosed holes up to this size are closed, as by vtkHorizonHoleFilling. Unit: columns. Range: at least 0. Default:
+   * 2500.
    */
   vtkHorizonNumberMacro(LargestHoleSize, int);
 
   /**
-   * Gaps that are at most this wide along rows or columns, as at faults and between sparse lines, are closed by linear
-   * interpolation. Unit: columns. Range: 0 to 255. Default: 10.
+   * Gaps up to this width along rows or columns are interpolated linearly. Unit: columns. Range: 0 to 255. Default:
+   * 10.
    */
   vtkHorizonNumberMacro(LargestGap, int);
 
   /**
-   * How thoroughly the plan is optimised. Fast: points are inserted where a horizon is farthest. Best: then they are
-   * removed, edges flipped and heights fitted. Default: Best.
+   * How thoroughly the plan is optimised: Best leaves fewer cells than Fast, and takes longer. Default: Best.
+   *
+   * Fast inserts points where a horizon is farthest; Best then removes points, flips edges and fits heights.
    */
   vtkHorizonChoice2Macro(Effort, Efforts, Fast, Best);
 
   /**
-   * No flip or removal makes a smaller angle on the map, unless a smaller one was there before. Points are inserted
-   * beside smaller ones: all with the effort Fast, those below 2 degrees with Best. Unit: degrees. Range: 0 to 60. Default: 10.
+   * Smallest angle in map view that optimisation may create. Points are added at sharper ones: all with the effort
+   * Fast, below 2 degrees with Best. Unit: degrees. Range: 0 to 60. Default: 10.
+   *
+   * A change may leave a smaller angle where there was a smaller one before.
    */
   vtkHorizonNumberMacro(SmallestAngle, double);
 
   /**
-   * For even cells: the longest inner edge of the plan, as in Horizon Surface. 0: as long as the error allows. Unit:
-   * columns. Range: 0, or at least 4. Default: 0.
+   * For even cells: longest inner edge of the plan, as in vtkHorizonSurface. 0: off. Unit: columns. Range: 0, or at
+   * least 4. Default: 0.
    */
   vtkHorizonNumberMacro(EdgeLength, double);
 
   /**
-   * How edges grow with the distance from outlines, faults and pinch-out lines, as in Horizon Surface. Range: 0 to 1.
+   * Growth of edges with distance from outlines, faults and pinch-out lines, as in vtkHorizonSurface. Range: 0 to 1.
    * Default: 0.
    */
   vtkHorizonNumberMacro(EdgeGrowth, double);
 
   /**
-   * Whether heights of inner vertices are fitted to the points around them. Off: they are those of the points.
-   * Default: on.
+   * Fit heights of inner vertices to nearby points. Off: use those of points. Default: on.
    */
   vtkHorizonFlagMacro(FitHeights);
 
   /**
-   * The number of sublayers of each layer: one for all, or one for each layer from the uppermost on, separated by
-   * spaces, such as "1 4 2". They divide its thickness equally at each point on the map, and end where it ends; empty:
+   * Sublayers of equal thickness: one number for all layers, or one each from the uppermost down, as "1 4 2"; empty:
    * 1. Range: numbers from 1 to 1000. Default: empty.
    */
   vtkHorizonTextMacro(Sublayers);
 
   /**
-   * Layers get more sublayers until none is thicker anywhere. 0: any. Unit: HeightUnit. Range: at least 0. Default: 0.
+   * Sublayers are added until none is thicker. 0: no limit. Unit: HeightUnit. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(LargestSublayerThickness, double);
 
   /**
-   * Whether all cells are split into tetrahedra, which fit those of neighbours and fill the same volume. Default: off.
+   * Split all cells into tetrahedra: a conforming mesh of the same volume. Default: off.
    */
   vtkHorizonFlagMacro(Tetrahedra);
 
   /**
-   * Whether figures include the volume above Contact (VolumeAboveContact). Default: off.
+   * Add the volume above Contact (VolumeAboveContact) to figures. Default: off.
    */
   vtkHorizonFlagMacro(MeasureAboveContact);
 
   /**
-   * A level contact, as of gas and oil. Unit: that of z, upwards. Range: any. Default: 0.
+   * Height of a level fluid contact. Unit: that of z, upwards. Range: any. Default: 0.
    */
   vtkHorizonNumberMacro(Contact, double);
 
   /**
-   * What the last update made: cells, and of each layer volume and thickness.
+   * Cells, volume and thickness of each layer.
    *
    * Lines of text. Empty before the first update, and after an error.
    */

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonStackStage
- * @brief   what the filters that process all horizons of a stack together have in common
+ * @brief   base class of filters that process all horizons of a stack together
  *
  * Input: the points of two or more horizons of one survey, as composite datasets or several connections. They are on
  * one lattice, or on lattices whose steps are whole multiples of the smallest one, such as every second line. With
  * several processes, each reads all horizons, and the first one has the result. Its properties are on
- * HorizonCrossings.md.
+ * HorizonLayers.md.
  *
  * @sa vtkHorizonLayers vtkHorizonCrossings
  */
@@ -35,33 +35,32 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Which horizon is above which. ByHeight: by the mean heights in common columns. AsGiven: as they come, the uppermost
-   * first, for horizons without a clear order. Default: ByHeight.
+   * ByHeight: by mean heights in common columns. AsGiven: as in the input, uppermost first, where heights give no
+   * clear order. Default: ByHeight.
    */
   vtkHorizonChoice2Macro(Order, Orders, ByHeight, AsGiven);
 
   /**
-   * What happens in columns where horizons cross. Mean: all move to their mean, which suits noise. UpperWins: the lower
-   * one moves, as if eroded. LowerWins: the upper one moves, as if it onlaps. Stop: an error that says in how many
-   * columns, and how deep. Default: Mean.
+   * Mean: crossing horizons move to their mean, which suits noise. UpperWins: the lower one moves, as if eroded.
+   * LowerWins: the upper one moves, as in onlap. Stop: an error with number and depth. Default: Mean.
    */
   vtkHorizonChoice4Macro(Crossings, CrossingPolicies, Mean, UpperWins, LowerWins, Stop);
 
   /**
-   * Crossings for each layer, from the uppermost on, as words separated by spaces, such as "Mean LowerWins Mean";
-   * empty: Crossings for all. Range: as many words as layers, or none. Default: empty.
+   * Crossings for each layer, from the uppermost down, such as "Mean LowerWins Mean"; empty: Crossings for all. Range:
+   * as many words as layers, or none. Default: empty.
    */
   vtkHorizonTextMacro(CrossingsByLayer);
 
   /**
-   * Where a layer is thinner, it is absent: its horizons become one, as Crossings says, with Stop at their mean. Unit:
-   * HeightUnit. Range: at least 0. Default: 0.
+   * Thinner layers are absent: their horizons merge as Crossings says, with Stop at their mean. Unit: HeightUnit.
+   * Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(MinimumThickness, double);
 
   /**
-   * The unit of MinimumThickness, and of MaximumError in vtkHorizonLayers. Lattice: one vertical index, the smallest of
-   * all horizons. World: the unit of z. Default: Lattice.
+   * Unit of MinimumThickness, and of MaximumError in vtkHorizonLayers. Lattice: smallest vertical index of all
+   * horizons. World: unit of z. Default: Lattice.
    */
   vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Lattice, World);
 

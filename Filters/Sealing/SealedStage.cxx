@@ -187,7 +187,7 @@ SealingInput MakeInput(const std::vector<CutInput>& horizons, const CutoffModelD
   constexpr std::int32_t leastWidth = 3;
   if (common.Greatest.X - common.Least.X < leastWidth || common.Greatest.Y - common.Least.Y < leastWidth)
   {
-    throw InputError("horizons without a common area, expected some columns where all are");
+    throw InputError("horizons without a common area, expected columns where all have points");
   }
   input.Least = common.Least;
   input.Greatest = common.Greatest;
@@ -240,8 +240,8 @@ void RequireCommonFaults(const CutoffModelData& model)
     if (model.OnlyHorizons[*first] != only)
     {
       throw InputError(model.Faults[*first].Name() + " and " + model.Faults[fault].Name() +
-        " that are known from one horizon each, expected sticks, or lines of one name in all horizons that a fault "
-        "cuts");
+        ", each detected in a single horizon, expected sticks, or lines of the same name in all horizons that a "
+        "fault cuts");
     }
   }
 }
@@ -277,7 +277,8 @@ SealedStageResult RunSealed(const CutInputs& inputs, const SealedStageOptions& o
   const std::vector<std::size_t> unconformities = ReadUnconformities(options.Unconformities, input);
   if (EndAtHorizons(unconformities, input, box, network) == 0 && !unconformities.empty())
   {
-    throw InputError("unconformities that no fault ends at, expected faults of which at most a tenth is above");
+    throw InputError(
+      "unconformities at which no fault ends, expected faults with at most a tenth above the unconformity");
   }
   if (options.FollowsOutline)
   {

@@ -69,7 +69,7 @@ void WarnOfPicks(const SealingHorizon& horizon, const PickAccount& account, std:
   if (account.Moved > 0)
   {
     text << horizon.Name << " moved at " << account.Moved << " picks, by up to " << account.LargestMove
-         << ", expected horizons that keep 2.5 errors apart, and from the top and base of the box";
+         << ", expected horizons at least 2.5 errors apart, and from the top and base of the box";
     warnings.push_back(text.str());
   }
   if (double(account.Outside) > mostOutside * double(horizon.Columns.size()))
@@ -103,8 +103,8 @@ void WarnOfTips(const SealedModel& model, std::vector<std::string>& warnings)
     {
       names.push_back(model.Surfaces[std::size_t(surface)].Name);
     }
-    warnings.push_back("faults in strips beyond their tips (" + ListFaults(names) +
-      "), expected no step of picks there: Tips Through lets faults go on");
+    warnings.push_back("parts of faults beyond their tips (" + ListFaults(names) +
+      "), expected no throw there: Tips Through extends faults to the walls");
   }
   if (!model.Steps.empty())
   {
@@ -115,8 +115,8 @@ void WarnOfTips(const SealedModel& model, std::vector<std::string>& warnings)
       text << step.Fault << " by " << step.Distance;
       steps.push_back(text.str());
     }
-    warnings.push_back(
-      "faults that picks continue beyond their sticks (" + JoinTexts(steps) + "), expected sticks as far as they step");
+    warnings.push_back("faults whose throw continues beyond their sticks (" + JoinTexts(steps) +
+      "), expected sticks along the whole throw");
   }
 }
 }
@@ -134,12 +134,12 @@ std::vector<std::string> WarnOfSealed(const SealedModel& model, const FaultNetwo
   }
   if (!network.Choices.empty())
   {
-    warnings.push_back("endings that were chosen (" + JoinTexts(network.Choices) + "), expected Endings to tell them");
+    warnings.push_back("endings chosen automatically (" + JoinTexts(network.Choices) + "), expected rules in Endings");
   }
   if (!network.LeftOut.empty())
   {
     warnings.push_back("parts of faults left out (" + JoinTexts(network.LeftOut) +
-      "), expected faults on one side of those that Endings lets them end at");
+      "), expected each fault on one side of the fault at which it ends by Endings");
   }
   WarnOfTips(model, warnings);
   if (!missing.empty())

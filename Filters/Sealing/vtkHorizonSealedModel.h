@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSealedModel
- * @brief   makes closed bodies of layers between faults, within an error
+ * @brief   makes closed bodies of the layers between faults, within an error
  *
  * Inputs are those of vtkHorizonCutStage, horizons in depth on one lattice.
  *
- * The model is a box around the columns that all horizons have, or within the outline of picks. Faults are continued beyond their sticks, up to its walls or
- * the fault they end at, and horizons to the faults, without picks that do not agree (vtkHorizonCutoffs). What surfaces
- * share are the same points, so that bodies have no gaps: no triangle meets another one elsewhere. Outputs:
+ * The model is a box around the columns that all horizons have, or within the outline of picks. Faults are continued
+ * beyond their sticks, up to its walls or the fault they end at, and horizons to the faults, without picks that do not
+ * agree (vtkHorizonCutoffs). Surfaces share the points where they meet, so that bodies have no gaps; triangles meet
+ * nowhere else. Outputs:
  *  - 0 Surfaces: all triangles. Cell data: SurfaceName; SurfaceType (unsigned char: 0 horizon, 1 fault, 2 wall, 3 top or
  *    base); BodyAbove and BodyBelow (int, -1 outside), the bodies on the side that the normal points to, and behind it:
  *    above horizons, in the hanging wall of faults; LayerAbove and LayerBelow (text). Point data: Guessed (unsigned char: 0
@@ -47,32 +48,32 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Which fault ends at which, as "F2 > F1; F3 > F1". Empty: a fault ends at those that it lies beside; of two that cross,
-   * the smaller one ends, on each side. With an entry, faults that cross need one. Default: empty.
+   * Which fault ends at which, as "F2 > F1; F3 > F1", for all that cross. Empty: faults end at those beside them; of
+   * two that cross, the smaller ends, on each side. Default: empty.
    */
   vtkHorizonTextMacro(Endings);
 
   /**
-   * A fault that reaches less beyond another one ends there. Unit: columns. Range: at least 0. Default: 5.
+   * A fault that extends less beyond another ends there. Unit: columns. Range: at least 0. Default: 5.
    */
   vtkHorizonNumberMacro(EndDistance, double);
 
   /**
-   * Names of horizons, with semicolons between them, that faults end at from below, unless more than a tenth of the fault is
+   * Names of horizons, separated by semicolons, at which faults end from below, unless over a tenth of the fault is
    * above. Default: empty.
    */
   vtkHorizonTextMacro(Unconformities);
 
   /**
-   * Where faults end. Sticks: half of the distance of sticks beyond these, or at their tip loop, unless walls, or the fault or
-   * horizon that they end at, are within EndDistance; a fault that dies out is a slit in bodies. Through: all go on up to walls
-   * and other faults. Default: Sticks.
+   * Sticks: faults die out half a stick spacing beyond their sticks, or at their tip loop, unless what they end at is
+   * within EndDistance. Through: they continue to walls and other faults. See "What is bounded and what is not" in
+   * HorizonSealedModel.md. Default: Sticks.
    */
   vtkHorizonChoice2Macro(Tips, TipKinds, Sticks, Through);
 
   /**
-   * Where the walls are. Box: around the columns that all horizons have. Picks: along the outline of all picks in this box,
-   * with few corners. Default: Box.
+   * Box: walls around the columns that all horizons have. Picks: around all picks in this box, with few corners.
+   * Default: Box.
    */
   vtkHorizonChoice2Macro(Outline, Outlines, Box, Picks);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonSurface
- * @brief   makes a mesh of few triangles from the points of a horizon, with automatically chosen parameters
+ * @brief   makes a mesh with few triangles from the points of a horizon, with automatic parameters
  *
  * Input: as of vtkHorizonExteriorBoundary. Output 0: the mesh, as of vtkHorizonDecimation. Output 1: the outlines over
  * all points, as of vtkHorizonExteriorBoundary, for measuring the mesh against them.
@@ -54,56 +54,47 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What limits the number of triangles. LargestError: MaximumError. NumberOfTriangles: MaximumNumberOfTriangles.
-   * Default: LargestError.
+   * What limits the mesh: MaximumError or MaximumNumberOfTriangles. Default: LargestError.
    */
   vtkHorizonChoice2Macro(Target, Targets, LargestError, NumberOfTriangles);
 
   /**
-   * The largest number of triangles of each horizon. It must suffice for the outlines. Unit: triangles. Range: at least
-   * 1. Default: 20000.
+   * Largest number of triangles per horizon. Must suffice for the outlines. Unit: triangles. Range: at least 1.
+   * Default: 20000.
    */
   vtkHorizonNumberMacro(MaximumNumberOfTriangles, int);
 
   /**
-   * Whether the radius is chosen, by the steps from point to point. Off: Radius. See "What is chosen" in
-   * HorizonSurface.md. Default: on.
+   * Choose the radius from the spacing of points. Off: Radius. See "What is chosen" in HorizonSurface.md. Default: on.
    */
   vtkHorizonFlagMacro(AutomaticRadius);
 
   /**
-   * Without AutomaticRadius, the largest hop of outlines along each axis. Unit: columns. Range: 1 to 32. Default: 1.
+   * Largest hop of outlines along each axis, without AutomaticRadius. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkHorizonNumberMacro(Radius, int);
 
   /**
-   * How outlines continue where the radius leaves a choice, as in vtkHorizonExteriorBoundary. Distance: from neighbour
-   * to neighbour. Clockwise: by the outermost hop. Default: Clockwise.
+   * How outlines run with a radius above 1. Distance: around every detail. Clockwise: straight across narrow bays.
+   * Default: Clockwise.
    */
   vtkHorizonChoice2Macro(GrowthStrategy, GrowthStrategies, Distance, Clockwise);
 
   /**
-   * Whether holes stay open unless too small. Off: all are closed. Default: on.
+   * Keep holes open unless too small. Off: close all. Default: on.
    */
   vtkHorizonFlagMacro(KeepHoles);
 
-  /// The name of KeepHoles in version 0.2, for scripts of that version. @deprecated Use SetKeepHoles.
-  void SetHoleBoundaries(bool value) { this->SetKeepHoles(value); }
-
   /**
-   * Whether faults (field data FaultedLinks) split the horizon. Off: faults are ignored from here on. See "Faults" in
+   * Split the horizon at faults (field data FaultedLinks). Off: later stages ignore them, too. See "Faults" in
    * HorizonExteriorBoundary.md. Default: on.
    *
    * Off: the outputs have no FaultedLinks.
    */
   vtkHorizonFlagMacro(TearAtFaults);
 
-  /// The name of TearAtFaults in version 0.2, for scripts of that version. @deprecated Use SetTearAtFaults.
-  void SetUseCuts(bool value) { this->SetTearAtFaults(value); }
-
   /**
-   * Whether the smallest hole that stays open is chosen, by the radius and the outline tolerance. Off:
-   * SmallestHoleSize. Default: on.
+   * Derive the smallest open hole from radius and outline tolerance. Off: SmallestHoleSize. Default: on.
    */
   vtkHorizonFlagMacro(AutomaticSmallestHoleSize);
 
@@ -114,48 +105,48 @@ public:
   vtkHorizonNumberMacro(SmallestHoleSize, int);
 
   /**
-   * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
+   * Patches with fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
   vtkHorizonNumberMacro(MinimumPatchSize, int);
 
   /**
-   * Whether the tolerance of outlines on the map, in columns, is the error of the mesh, but at most 0.75 unless the
-   * target is NumberOfTriangles. Off: OutlineTolerance. Default: on.
+   * Use the mesh error as outline tolerance in map view, in columns, at most 0.75 unless Target is NumberOfTriangles.
+   * Off: OutlineTolerance. Default: on.
    */
   vtkHorizonFlagMacro(AutomaticOutlineTolerance);
 
   /**
-   * Without AutomaticOutlineTolerance, the largest distance on the map of a dropped point from its outline. Unit:
+   * Largest distance in map view of a dropped point from its outline, without AutomaticOutlineTolerance. Unit:
    * columns. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(OutlineTolerance, double);
 
   /**
-   * Whether the vertical tolerance of outlines is the error of the mesh. Off: DistanceThreshold. Default: on.
+   * Use the mesh error as vertical tolerance of outlines. Off: DistanceThreshold. Default: on.
    */
   vtkHorizonFlagMacro(AutomaticDistanceThreshold);
 
   /**
-   * Without AutomaticDistanceThreshold, the largest vertical distance of a dropped point from its outline. Unit:
-   * lattice units. Range: at least 0. Default: 0.4.
+   * Largest vertical distance of a dropped point from its outline, without AutomaticDistanceThreshold. Unit: lattice
+   * units. Range: at least 0. Default: 0.4.
    */
   vtkHorizonNumberMacro(DistanceThreshold, double);
 
   /**
-   * For a part that vtkHorizonSurfaceJoin joins: the rows of the lattice, below and above, that it shares with other
-   * parts; -1 for none. Unit: rows. Range: at least -1. Default: -1, -1.
+   * Lower and upper rows that this part shares with others, for vtkHorizonSurfaceJoin; -1: none. Unit: rows. Range: at
+   * least -1. Default: -1, -1.
    *
-   * The parts on both sides have the points of such a row (j), and this part none beyond. The target is the error then,
-   * not automatic and not of unit Diagonal, holes have boundaries, MinimumPatchSize is 1 and growth clockwise where the radius is not 1.
-   * The mesh has two arrays more: SeamRows (int, 2 components), these rows, as field data, and SeamGap (unsigned char)
-   * at points, 1 to the left of gaps along a seam that are not filled. PointCount leaves out the points of the row
-   * below.
+   * The parts on both sides have the points of such a row (j), and this part has none beyond it. Target must be
+   * LargestError, with a given MaximumError and not in the unit Diagonal, holes must be kept, MinimumPatchSize must be
+   * 1, and growth Clockwise unless the radius is 1. The mesh has two additional arrays: SeamRows (int, 2 components),
+   * these rows, as field data, and SeamGap (unsigned char) at points, 1 to the left of gaps along a seam that are not
+   * filled. PointCount leaves out the points of the row below.
    */
   vtkHorizonVectorMacro(SeamRows, int, 2);
 
   /**
-   * The radius that AutomaticRadius chooses for the points of a horizon, to be given to all its parts; 0 for none, and,
-   * after an error, for points that are not on a lattice.
+   * The radius that AutomaticRadius chooses for the points of a horizon, for use with all its parts; 0 if there are
+   * none, and, after an error, if they are not on a lattice.
    */
   int ChooseRadius(vtkPolyData* horizon);
   /// The same for an automatic MaximumError, in lattice units. Figures get HeightNoise or HeightRounding.

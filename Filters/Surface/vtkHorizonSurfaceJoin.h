@@ -8,15 +8,15 @@
  * share rows of its lattice (SeamRows) and were made with the same parameters, the radius included. Output: one mesh,
  * as of vtkHorizonSurface for the whole.
  *
- * Vertices on a seam are merged, and patches and holes that the seam cut are whole again. The error of the mesh is the
- * largest error of the parts. It differs from a mesh in one piece only near the seams, see
+ * Vertices on a seam are merged, and patches and holes that the seam cut are rejoined. The error of the mesh is the
+ * largest error of the parts. The result differs from a mesh in one piece only near the seams; see
  * Documentation/HorizonSurfaceJoin.md.
  *
  * New field data, besides largest values, sums and means of those of the parts:
  *  - NumberOfParts (int);
  *  - SeamPoints (vtkIdType): vertices on seams that are not on outlines.
  *
- * Errors: a mesh that is no part, missing parts, or parts of different parameters or horizons.
+ * Errors: a mesh that is not a part, missing parts, or parts of different parameters or horizons.
  *
  * @sa vtkHorizonSurface
  */
@@ -36,7 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Patches of fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
+   * Patches with fewer points are dropped. Unit: points. Range: at least 1. Default: 1.
    */
   vtkHorizonNumberMacro(MinimumPatchSize, int);
 

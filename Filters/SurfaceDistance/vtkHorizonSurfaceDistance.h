@@ -8,7 +8,7 @@
  * its loops, or else inside its exterior boundary: with the radius and the open holes of a mesh by vtkHorizonSurface,
  * else of the given Radius, with holes closed. Input 1, or a second connection of input 0: a triangle mesh from any
  * source. In composite datasets each horizon needs a counterpart of the same name. If the first has triangles and the
- * second has none, they change places, unless only one is a composite dataset.
+ * second has none, they are swapped, unless only one is a composite dataset.
  *
  * Outputs 0 and 1: the reference as it was meshed, and the mesh, with all their arrays and new point arrays:
  *  - Distance (double): to the nearest place of the other surface, in DistanceUnit;
@@ -42,7 +42,7 @@
  * Triangles that close faults (1 in the cell data array Fault) are ignored.
  *
  * Errors: 2^30 points or triangles, a mesh without triangles or area, other cells than triangles, a horizon without
- * counterpart, points that are not finite, or a reference without triangles that is no horizon on a lattice.
+ * counterpart, points that are not finite, or a reference without triangles that is not a horizon on a lattice.
  *
  * @sa vtkHorizonTriangulation vtkDistancePolyDataFilter vtkHausdorffDistancePointSetFilter
  */
@@ -72,9 +72,8 @@ public:
 
   ///@{
   /**
-   * The other one of the two surfaces: the triangle meshes to measure, from any source, or what they are compared with.
-   * Where there are several, they have the names of the horizons of the reference. Range: meshes or points. Default:
-   * none.
+   * The meshes to measure, from any program, or what to compare them with; several are matched with the reference by
+   * name. Range: meshes or points. Default: none.
    *
    * Input 1.
    */
@@ -83,35 +82,37 @@ public:
   ///@}
 
   /**
-   * The unit of the arrays Distance and VerticalDistance; figures are in both. Lattice: one column sideways, one
-   * vertical index up. World: the unit of the coordinates. Default: Lattice.
+   * Unit of the arrays Distance and VerticalDistance; figures have both. Lattice: columns and vertical indices. World:
+   * unit of coordinates. Default: Lattice.
    */
   vtkHorizonChoice2Macro(DistanceUnit, DistanceUnits, Lattice, World);
 
   /**
-   * How many samples on the faces of each surface, for each point of the larger surface; at least 10,000. More make
-   * means and percentiles more exact. Unit: places per point. Range: 0.01 to 1000. Default: 2.
+   * Samples on each surface per point of the larger one, at least 10,000. More make means and percentiles more exact.
+   * Unit: places per point. Range: 0.01 to 1000. Default: 2.
    */
   vtkHorizonNumberMacro(SamplesPerPoint, double);
 
   /**
-   * The seed of the random samples on faces. Range: at least 0. Default: 1.
+   * Seed of the random samples. Range: at least 0. Default: 1.
    */
   vtkHorizonNumberMacro(Seed, int);
 
   /**
-   * For a reference with neither triangles nor outlines, and a mesh not by vtkHorizonSurface: the Radius of its
-   * vtkHorizonExteriorBoundary. Unit: columns. Range: 1 to 32. Default: 1.
+   * Radius of the vtkHorizonExteriorBoundary for a reference without triangles or outlines, unless the mesh is from
+   * vtkHorizonSurface. Unit: columns. Range: 1 to 32. Default: 1.
    */
   vtkHorizonNumberMacro(Radius, int);
 
   /**
-   * Whether figures include points added by vtkHorizonHoleFilling, with the edges and triangles at them. Default: off.
+   * Include points added by vtkHorizonHoleFilling in figures. Default: off.
+   *
+   * With the edges and triangles at them.
    */
   vtkHorizonFlagMacro(IncludeFilledPoints);
 
   /**
-   * What the last update measured of each pair of surfaces, in both directions and in DistanceUnit.
+   * Distances between each pair of surfaces, in both directions, in DistanceUnit.
    *
    * Lines of text, on the first process. Empty before the first update, and after an error; after a stop they say so.
    */

@@ -5,10 +5,9 @@
  * @brief   measures the thickness of the layer between two horizons, column by column
  *
  * Input 0: a horizon, or a composite dataset of horizons, with at most one point per column. Input 1, or a second
- * connection of input 0: the other horizon, with points on columns of the same lattice; a window of the survey, or every
- * second line, is enough. Without it, each of two horizons at input 0 is measured to the other, also where they are on
- * different processes.
- * Either may be a mesh: then it is measured in the columns that its triangles cover.
+ * connection of input 0: the other horizon, with points on columns of the same lattice; a window of the survey, or
+ * every second line, is enough. Without it, each of two horizons at input 0 is measured to the other, even if they are
+ * on different processes. Either may be a mesh: then it is measured in the columns that its triangles cover.
  *
  * Output 0: the points of input 0 in columns where the other horizon has one, a vertex cell per point, all arrays but
  * PatchId and Boundary (of a mesh, points in these columns on its triangles, with Column alone), and the point arrays
@@ -25,8 +24,8 @@
  * same arrays, blanked and nan where there is no thickness. Empty, with a warning, if the steps of the lattice are not
  * perpendicular, as images have no shear, and if the box is nearly empty and has more than 2^24 pixels.
  *
- * A warning if more than one column in twenty is a crossing, or more than one in a thousand left out. Errors: not exactly one other horizon, a point of it
- * between columns, two in one column, or no common column.
+ * A warning if more than one column in twenty is a crossing, or more than one in a thousand left out. Errors: not
+ * exactly one other horizon, a point of it between columns, two in one column, or no common column.
  *
  * @sa vtkHorizonSurface, whose mesh carries both arrays
  */
@@ -51,7 +50,7 @@ public:
 
   ///@{
   /**
-   * The other horizon, above or below; optional where the input has two. Range: points or a mesh. Default: none.
+   * Other horizon, above or below; optional if the input has two. Range: points or a mesh. Default: none.
    *
    * Input 1.
    */

@@ -50,23 +50,23 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How the third point of a triangle is searched; the mesh is the same. VoxelTraversal: along the perpendicular
-   * bisector of the edge (thesis 5.3.6). Compactness: among all points in the square box of the edge (5.4). Default:
-   * VoxelTraversal.
+   * Search for third points; the mesh is the same. VoxelTraversal: along the perpendicular bisector of an edge.
+   * Compactness: in the square box around it. Default: VoxelTraversal.
+   *
+   * Thesis 5.3.6 and 5.4.
    */
   vtkHorizonChoice2Macro(SearchStrategy, SearchStrategyType, VoxelTraversal, Compactness);
 
   /**
-   * Whether the convex hull of all points is meshed, with or without outlines. Default: off.
+   * Mesh the convex hull of all points, ignoring outlines. Default: off.
    *
    * The polylines of the output are then the hull, or what the limits below leave of it.
    */
   vtkHorizonFlagMacro(ConvexHull);
 
   /**
-   * With ConvexHull, triangles are removed from the outside inwards if the angle opposite their boundary edge is
-   * larger; 180 removes none. See "Without outlines" in HorizonTriangulation.md. Unit: degrees on the map. Range: 0 to
-   * 180. Default: 180.
+   * With ConvexHull, outer triangles are removed if the angle opposite their boundary edge is larger; 180: none. See
+   * "Without outlines" in HorizonTriangulation.md. Unit: degrees in map view. Range: 0 to 180. Default: 180.
    *
    * Thesis 5.3.8. The longest edge goes first; a triangle stays when it would leave a point without one, or let the
    * boundary pass a point twice. A bay whose sides spread by some angle opens about below 90 plus half of it: below 90
@@ -75,22 +75,22 @@ public:
   vtkHorizonNumberMacro(MaximumBoundaryAngle, double);
 
   /**
-   * With ConvexHull, triangles are also removed if their boundary edge is longer; 0 removes none. Unit: columns. Range:
-   * at least 0. Default: 0.
+   * With ConvexHull, triangles are also removed if their boundary edge is longer; 0: none. Unit: columns. Range: at
+   * least 0. Default: 0.
    */
   vtkHorizonNumberMacro(MaximumBoundaryEdgeLength, double);
 
   /**
-   * For inspection: each patch stops after this many triangles, and the second output shows the last search. 0 makes
-   * all triangles. Unit: triangles. Range: at least 0. Default: 0.
+   * For inspection: each patch stops after this many triangles, and the second output shows the last search. 0: all.
+   * Unit: triangles. Range: at least 0. Default: 0.
    *
-   * Full lattices are searched as well then.
+   * Full lattices are then searched, too.
    */
   vtkHorizonNumberMacro(MaximumNumberOfTriangles, int);
 
   /**
-   * Whether steep triangles, with 1 in the array Fault, close the cracks at faults. Not with ConvexHull or
-   * MaximumNumberOfTriangles. See "Closed meshes" in HorizonFaults.md. Default: off.
+   * Close cracks at faults with steep triangles (1 in array Fault). Not with ConvexHull or MaximumNumberOfTriangles.
+   * See "Closed meshes" in HorizonFaults.md. Default: off.
    *
    * These triangles come last in the new cell data array Fault, 0 elsewhere, and share the vertices of the crack. No
    * other figure counts them; the new FaultTriangleCount (vtkIdType) has their number.

@@ -79,7 +79,7 @@ struct Rename
   const char* New;
 };
 
-// Names of version 0.2, to be removed with the deprecated setters.
+// State files of version 0.2 have these names.
 constexpr std::array<Rename, 9> Renames = { {
   { "HorizonDespiking", "ThreadWidth", "SpurWidth" },
   { "SeismicReflectionExtraction", "Elevation", "ZFrom" },

@@ -140,7 +140,7 @@ SurveyHorizons Place(PickTable picks, const std::string& direction, const nb::di
     {
       if (!picks.HasPlaces())
       {
-        throw InputError("line numbers alone for a cube that has none, expected x and y");
+        throw InputError("only line numbers for a cube that has none, expected x and y");
       }
       picks.Inline = picks.Crossline = {};
     }

@@ -326,7 +326,8 @@ void BindStages(nb::module_& module)
   nb::class_<GivenFaults>(module, "GivenFaults")
     .def(
       "__init__",
-      [](GivenFaults* self, const nb::dict& lines) { new (self) GivenFaults(ReadFaultSticks(TakeData(lines))); },
+      [](GivenFaults* self, const nb::dict& lines)
+      { new (self) GivenFaults(std::vector<NamedHorizon>{ { "", TakeData(lines) } }); },
       "lines"_a)
     .def("warnings", &GivenFaults::Warnings);
   module.def("faults", &FindFaults, "horizon"_a, "lines"_a.none(), "options"_a, "progress"_a.none());

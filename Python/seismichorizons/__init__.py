@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Seismic horizons from picks, grids and arrays to clean triangle meshes within a known error.
+"""Turns seismic horizons, as picks, grids and arrays, into clean triangle meshes within a known error.
 
     import seismichorizons as sh
 
@@ -8,7 +8,7 @@
     mesh = sh.surface(top, largest_error="2 ms")
     sh.write(mesh, "top.ts")
 
-Everything takes and gives numpy arrays; other packages are imported where their objects are asked for.
+All data are numpy arrays; other packages are imported only when you ask for their objects.
 """
 
 from ._cube import Cube, extract, read_cube
@@ -16,7 +16,6 @@ from ._cutoffs import Cutoffs, cutoffs
 from ._door import horizon
 from ._files import read, read_mesh, write
 from ._horizon import Horizon, Lattice
-from ._late import find as __getattr__  # noqa: F401 -- names that are not here
 from ._lines import Lines, read_faults
 from ._mesh import Ledger, Mesh
 from ._sealed import SealedModel, sealed

@@ -28,20 +28,22 @@ class Cube:
     Attributes
     ----------
     values : array of shape (rows, columns, samples)
-        Rows are inlines; nan where there is no sample. Where `known` is False values mean nothing; in a cube of `read_cube` they are 0.
+        Rows are inlines. nan where there is no sample. Values are meaningless where `known` is False; `read_cube` sets
+        them to 0.
     lattice : Lattice
-        Of the traces; its vertical indices are the samples.
+        The lattice of the traces, with samples as vertical indices.
     known : bool array of the same shape, or None
         None where all samples are known.
     line : float64 array of shape (rows, columns, 2), or None
-        x and y of each trace of a single line, which may leave the lattice; horizons have them as attributes LineX and LineY.
+        x and y of each trace of a single line, which need not be on the lattice. Horizons have them as the attributes
+        LineX and LineY.
     name : str
     direction : "down" or "up"
-        Where samples go to.
+        Direction in which the sample number increases.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     taken : tuple of str
-        How a file was understood, in lines.
+        How the file was interpreted, line by line.
     """
 
     values: NDArray[Any]
@@ -112,21 +114,21 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     inlines, crosslines : (first, last), optional
         Numbers of the lines to read; all by default.
     sample_range : (first, last), optional
-        Vertical indices to read, from 0; last -1 for the last one.
+        Vertical indices to read, from 0; a last of -1 reads to the end.
     inline_byte, crossline_byte, x_byte, y_byte : int
-        Bytes of the fields in trace headers, from 1; 0 finds them, -1 is none.
+        Positions of the fields in trace headers, from 1; 0 finds them, -1 means none.
     sample_format : int
-        Code of SEG-Y in place of that of the file; 0 keeps it.
+        SEG-Y code that replaces that of the file; 0 keeps it.
     number_of_samples : int
-        Of each trace, in place of that of the file; 0 keeps it.
+        Samples per trace, replacing the number in the file; 0 keeps it.
     vertical_step : float, optional
-        Between samples, in the unit of z.
+        z between samples; by default as in the file.
     tolerance : float
-        The largest distance of a trace from its column, in columns.
+        Largest distance of a trace from its column, in columns.
     duplicates : "refuse", "first", "last" or "mean"
-        Which of several traces of one place counts.
+        Which of several traces at the same position is kept.
     delays : "interpolate" or "nearest"
-        What happens to delays that are fractions of a step.
+        How delays that are not multiples of the sample interval are applied.
     ignore_incomplete_trace : bool
         Reads a file that ends within a trace.
     direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
@@ -140,7 +142,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     Raises
     ------
     ValueError
-        If the file is no post-stack cube or line, or traces are on no lattice.
+        If the file is not a post-stack cube or line, or its traces are on no lattice.
     FileNotFoundError
     """
     path = pathlib.Path(path)
@@ -170,58 +172,58 @@ def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), l
             eight_neighbours: bool = False, largest_step: float = 0.0, smallest_correlation: float = 0.85, smallest_contact: float = 0.5,
             smallest_size: int = 0, largest_number: int = 100, order: str = "strength", guide_tolerance: float = 0.0, growth_correlation: float = 0.6,
             growth_reach: int = 1000, least_confidence: float = 0.0, keep_others: bool = False, progress: Progress | None = None) -> dict[str, Horizon]:
-    """Extracts horizons from a cube: those of picks, or all that are strong.
+    """Extracts horizons from a cube: those that your picks belong to, or the strongest ones.
 
     Parameters
     ----------
     cube : Cube
     guides : path, Horizon, dict of Horizon or arrays of shape (n, 3), or such an array, optional
-        Picks of each horizon to follow. Files have line numbers, x and y, or both. Arrays are x, y and z, in the direction of
-        the cube.
+        Picks of each horizon to track. Files have line numbers, x and y, or both. Arrays are x, y and z, in the
+        direction of the cube.
     limits : list of Horizon, optional
-        Extraction stays on one side of one horizon, or between two.
+        Restricts extraction to one side of a horizon, or to the interval between two.
     limit_side : "below" or "above"
-        For one limit.
+        Side to search with one limit.
     polarity : "both", "positive" or "negative"
     position : "peak", "middle" or "zero_crossing"
-        Where a reflection is picked.
+        Where on the wavelet a reflection is picked.
     threshold : float, optional
-        The least absolute amplitude of picks; by default that of the percentile.
+        Smallest absolute amplitude of picks; by default the percentile decides.
     percentile : float
-        From 0 to 100, of the magnitudes of all samples other than 0.
+        Weakest picks, as a percentile of the magnitudes of all nonzero samples, from 0 to 100.
     phase_rotation : float
-        Rotates the phase of the wavelet before, in degrees.
+        Phase rotation applied to the traces first, in degrees.
     joining : "best_first" or "components"
     eight_neighbours : bool
-        Picks of diagonal neighbours are linked, too.
+        Also links picks of diagonal neighbours.
     largest_step : float
-        Between neighbours, in samples; 0 chooses it.
+        Largest step between neighbours, in samples; 0 chooses it.
     smallest_correlation, smallest_contact : float
-        Least similarity of linked picks and of joined parts, from 0 to 1.
+        Smallest similarity of linked picks, and of joined parts, from 0 to 1.
     smallest_size : int
-        Fewest points of a horizon; 0 chooses it.
+        Smallest number of points of a horizon; 0 chooses it.
     largest_number : int
-        Most horizons.
+        Largest number of horizons.
     order : "strength" or "size"
     guide_tolerance : float
-        Largest distance of picks from reflections, in samples; 0 chooses it.
+        Largest distance of your picks from reflections, in samples; 0 chooses it.
     growth_correlation : float
-        Least similarity of waveforms where a guided horizon grows beyond automatic parts.
+        Smallest similarity of waveforms for a guided horizon to grow beyond automatic parts.
     growth_reach : int
-        Largest distance of growth from picks, in columns; 0 for none.
+        Largest distance of growth from picks, in columns; 0: no growth.
     least_confidence : float
-        Points of guided horizons with less are left out, from 0 to 1.
+        Drops points of guided horizons with less confidence, from 0 to 1.
     keep_others : bool
-        Keeps automatic horizons beside guided ones.
+        Also returns automatic horizons when there are guides.
     progress : callable, optional
 
     Returns
     -------
     dict of Horizon
-        With the attributes Amplitude and Thickness. Those of guides also have Confidence (0 to 1, the probability that a point
-        is right), Correlation (of waveforms, with the nearest picks), GuideDistance (columns from the nearest pick), Origin
-        (0 at picks, 1 on automatic parts, 2 where grown), Block (between faults, from 1) and Seed (the pick that is nearest along
-        the block, from 0; -1 for none). `taken` says what was found.
+        With the attributes Amplitude and Thickness. Guided horizons also have Confidence (the probability that a point
+        is right, 0 to 1), Correlation (of waveforms with those of the nearest picks), GuideDistance (columns from the
+        nearest pick), Origin (0 at picks, 1 on automatic parts, 2 where grown), Block (between faults, from 1) and Seed
+        (the nearest pick along the block, from 0; -1 for none). `taken` describes what was found.
     """
     if not isinstance(cube, Cube):
         raise TypeError("extraction from %s, expected a Cube: read_cube(path) reads one" % type(cube).__name__)

@@ -23,16 +23,17 @@ from ._units import height
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Profile:
-    """What is known along a cutoff: an array each for its points.
+    """Values along a cutoff, as arrays with one entry for each of its points.
 
     Attributes
     ----------
     along : float64 array
-        The distance along strike.
+        Distance along strike.
     throw, heave : float64 arrays
-        Height of the footwall above the hanging wall, and their distance on the map across strike; negative at reverse faults.
+        Height of the footwall cutoff above the hanging-wall cutoff, and their distance in map view across strike;
+        negative at reverse faults.
     spread : float64 array
-        The standard deviation of the height by noise; nan where it is interpolated.
+        Standard deviation of the height due to noise; nan where it is interpolated.
     guessed : uint8 array
         0 near picks, 1 extrapolated, 2 interpolated along the fault.
     """
@@ -46,7 +47,7 @@ class Profile:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Diagram:
-    """The layers that meet on a fault, as quadrangles seen across it.
+    """The layers that meet across a fault, as quadrangles on the fault plane.
 
     Attributes
     ----------
@@ -63,25 +64,26 @@ class Diagram:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Cutoffs:
-    """Where horizons meet faults, as `cutoffs` finds it.
+    """The lines where horizons meet faults, from `cutoffs`.
 
     Attributes
     ----------
     names : list of str
-        Of the faults.
+        Names of the faults.
     lines : dict of Lines by horizon
-        Names are those of faults, sticks "footwall" and "hanging wall".
+        The cutoffs, named after their fault, with the sticks "footwall" and "hanging wall".
     profiles : dict of lists of Profile by horizon
-        One for each line.
+        One profile for each line.
     polygons : dict of Lines by horizon
-        Fault polygons, around the heave.
+        Fault polygons, which outline the heave.
     faults : dict of Mesh by fault
-        The surfaces that were used.
+        The fault surfaces that were used.
     diagrams : dict of Diagram by fault
     figures : dict of arrays
-        A value for each fault and horizon that it cuts: fault, horizon, throw_mean, heave_mean, largest_gap, guessed and so on.
+        One value for each fault and horizon that it cuts: fault, horizon, throw_mean, heave_mean, largest_gap, guessed
+        and so on.
     areas : dict of arrays
-        A value for each pair of layers that meet: fault, footwall, hanging_wall, area.
+        One value for each pair of layers that meet: fault, footwall, hanging_wall, area.
     vertical_unit : str
     """
 
@@ -112,22 +114,25 @@ def cutoffs(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, fault
     Parameters
     ----------
     horizons : Horizon, or dict or list of Horizon
-        Of one vertical domain and unit.
+        All in the same vertical domain and unit.
     faults : Faults, dict of Faults by horizon, Lines, list of arrays, or dict of Mesh by fault
-        Cuts of the horizons, of which faults of one name are one, but for those that were detected; or sticks, as of
-        `read_faults`; or surfaces.
+        Faults that cut the horizons, where supplied faults of the same name are one fault and detected faults are
+        separate; or sticks, as from `read_faults`; or surfaces.
     dip : float
-        Of faults that are known from one horizon only, in degrees; 0: from the gap of picks; without one it is unknown, and so is the heave.
+        Dip of faults that are known from one horizon only, towards the downthrown side, in degrees. 0 derives it from
+        the gap between picks; without a gap, dip and heave are unknown.
     drop_distance : float
-        Picks nearer to a fault are not used, in columns.
+        Ignores picks closer to a fault than this, in columns.
     drop_noise : float
-        Picks beside a fault that are off those farther away by more standard deviations are not used; 0: all are.
+        Ignores picks near a fault that deviate by more than this many standard deviations of noise from those farther
+        away; 0 uses all picks.
     largest_gap : float
-        How far horizons are continued to a fault, in columns.
+        How far horizons are extrapolated to a fault, and interpolated along it, in columns.
     smallest_length : float
-        Horizons that a fault cuts over less are uncut there, in columns.
+        Ignores places where a fault cuts a horizon over a shorter distance, in columns.
     largest_error : float or str, optional
-        Of simplified lines, in the unit of z or with a unit; by default six times the noise of each horizon.
+        Largest vertical error of simplified lines, in the unit of z or with a unit; by default six times the noise of
+        each horizon.
     progress : callable, optional
 
     Returns

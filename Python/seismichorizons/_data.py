@@ -115,7 +115,7 @@ def in_keywords(message: str) -> str:
     """A message of the core with keywords in place of properties."""
     for word, keyword in WORDS.items():
         message = message.replace(word, keyword)
-    if "points on one line" in message or "places on one line" in message or "places of picks on one line" in message:
+    if "points on one line" in message or "positions, all on one line" in message or "positions of picks on one line" in message:
         message += "; origin=, column_step= and row_step= give it"
     return message.replace("direction Up", "direction=\"up\"").replace("direction Down", "direction=\"down\"").replace(
         "Down confirms", "direction=\"down\" confirms")

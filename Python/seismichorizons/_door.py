@@ -33,58 +33,61 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
             leave_out_strays: bool = False, vertical_step: float | None = None, direction: str = "", vertical_unit: str = "",
             vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
             progress: Progress | None = None) -> Any:
-    """Makes a horizon of whatever holds heights.
+    """Makes a horizon from arrays, tables, or objects of other packages.
 
     Parameters
     ----------
     data : any, optional
-        One of: heights of shape (rows, columns), with masks or nan; x, and `y` and `z` beside it; a DataFrame or
-        GeoDataFrame, by the names of its columns; a DataArray or Dataset of xarray or rioxarray, by the names of its
-        dimensions; an open dataset of rasterio; a surface, points or polygons of xtgeo; an image, a structured grid or
-        points of PyVista or VTK.
+        One of: heights of shape (rows, columns), also masked or with nan; x, with `y` and `z`; a DataFrame or
+        GeoDataFrame with recognisable column names; a DataArray or Dataset of xarray or rioxarray with recognisable
+        dimension names; an open rasterio dataset; a surface, points or polygons of xtgeo; an image, a structured grid
+        or points of PyVista or VTK.
     y, z : array, optional
-        With x as the first argument: vectors, or grids as `numpy.meshgrid` makes them.
+        With x as the first argument: vectors, or grids such as those of `numpy.meshgrid`.
     grid : array of shape (rows, columns), optional
-        In place of `data`, where an array of three columns is a grid.
+        Heights, instead of `data`; needed for a grid of three columns, which would be read as points.
     points : array of shape (n, 3), optional
-        In place of `data`: x, y and z.
+        Instead of `data`: x, y and z.
     name : str, optional
-        By default that of the data, or "horizon".
+        By default the name of the data, or "horizon".
     attributes : dict of arrays, optional
-        Other values, of the shape of the heights.
+        Other values, in the shape of the heights.
     columns : dict, optional
-        What columns of a table are, where their names do not say it: {"z": "TWT", "x": "E"}; "horizon" names horizons.
+        Columns of a table whose names are not recognised: {"z": "TWT", "x": "E"}. "horizon" is the column of horizon
+        names.
     origin : (x, y), optional
-        Place of row 0, column 0 of an array of heights, or of the lattice of points, with both steps.
+        Position of row 0, column 0 of an array of heights; for points, of the lattice, together with both steps.
     spacing : (column, row), optional
         Distances between columns and between rows of an array of heights; (1, 1) by default.
     azimuth : float, optional
-        Direction of increasing column number, in degrees clockwise from north; 90 by default. Rows are to its left.
+        Direction in which column numbers increase, in degrees clockwise from north; 90 by default. Row numbers increase
+        to its left.
     column_step, row_step : (x, y), optional
-        Steps, in place of spacing and azimuth.
+        Steps to the next column and row, instead of spacing and azimuth.
     nodata : float or list of float, optional
-        Values that mean no z.
+        Values that mark missing z.
     duplicates, gridding, leave_out_strays
         As in `read`, for points.
     vertical_step : float, optional
-        z between vertical indices; by default it suits the heights.
+        z between vertical indices; by default derived from the heights.
     direction : "down" or "up", optional
-        Where z increases to. Unless the data say it, upwards if no z is above 0 and one is below, as of depths below sea
-        level in negative numbers, or if the data are of PyVista or VTK; otherwise downwards, as time and depth do.
+        Direction in which z increases, if the data do not state it. By default upwards if no z is above 0 and one is
+        below, as for depths below sea level in negative numbers, or if the data come from PyVista or VTK; otherwise
+        downwards, as for time and depth.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
     progress : callable, optional
-        Gets the fraction that is done; what it raises stops the work.
+        Called with the fraction done; an exception in it stops the work.
 
     Returns
     -------
     Horizon
-        `taken` says how the data were understood. A dict of horizons by name if a table names several, or with
+        `taken` describes how the data were interpreted. A dict of horizons by name if a table names several, or with
         duplicates="sheets".
 
     Raises
     ------
     ValueError
-        If points are on no lattice, and where data have two readings: with the keyword that decides.
+        If points are on no lattice, or if data are ambiguous; the message names the keyword to set.
     TypeError
 
     Examples
@@ -103,7 +106,7 @@ def horizon(data: Any = None, y: Any = None, z: Any = None, *, grid: Any = None,
     if sum(taken) != 1:
         raise TypeError("%d of data, grid and points, expected one of them" % sum(taken))
     if (y is None) != (z is None):
-        raise TypeError("x and %s alone, expected x, y and z" % ("z" if y is None else "y"))
+        raise TypeError("only x and %s, expected x, y and z" % ("z" if y is None else "y"))
     arrays = (given.xyz(data, y, z) if z is not None else given.grid(grid) if grid is not None
               else given.points(points) if points is not None else given.recognize(data))
     name = name or given.name or "horizon"
@@ -297,7 +300,7 @@ class _Given:
 
     def _require_own_place(self, what: str) -> None:
         if self._place:
-            raise ValueError("%s for %s, which has a place of its own, expected none" % (" and ".join(sorted(self._place)), what))
+            raise ValueError("%s for %s, which has its own position, expected none" % (" and ".join(sorted(self._place)), what))
 
     # ---- Tables -----------------------------------------------------------------------------------------------------
     def _of_table(self, frame: Any) -> dict[str, Any]:
@@ -362,7 +365,7 @@ class _Given:
             unique, numbers = np.unique(names, return_inverse=True)
             self.names = [str(one) for one in unique]
             if self.dropped:
-                raise ValueError("%d rows without a place in a table of several horizons, expected a place in each" % self.dropped)
+                raise ValueError("%d rows without coordinates in a table of several horizons, expected coordinates in each" % self.dropped)
             arrays["horizon"] = np.ascontiguousarray(numbers.ravel(), np.int32)
         return arrays
 

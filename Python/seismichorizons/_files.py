@@ -44,43 +44,44 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
          leave_out_strays: bool = False, rows: tuple[int, int] | None = None, vertical_step: float | None = None, direction: str = "",
          vertical_unit: str = "", vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "",
          progress: Progress | None = None) -> dict[str, Horizon]:
-    """Reads the horizons of a text file of picks or of a grid, by content.
+    """Reads the horizons of a text file of picks, a grid, or sparse voxels. The format is recognised by content.
 
     Parameters
     ----------
     path : str or path
-        Sparse voxels (.vsm); picks of Petrel, OpendTect, Kingdom, Charisma, IESX and plain tables; grids of IRAP (text and binary), ZMAP, CPS-3,
-        EarthVision, Surfer, GXF, ESRI and Storm; GeoTIFF with GDAL; also compressed with gzip.
+        Sparse voxels (.vsm); picks of Petrel, OpendTect, Kingdom, Charisma and IESX, and plain tables; grids of IRAP
+        (text and binary), ZMAP, CPS-3, EarthVision, Surfer, GXF, ESRI and Storm; GeoTIFF, with GDAL. Files may be
+        compressed with gzip.
     horizons : str or list of str, optional
         Names of the horizons to return; all by default.
     columns : str or list of str, optional
-        What the columns of a text file are, as "Inline Crossline X Y Z", where they are not found.
+        Columns of a text file, as "Inline Crossline X Y Z", if they are not recognised.
     nodata : number, list of numbers, or str, optional
-        Values that mean no z, in addition to those of the format.
+        Values that mark missing z, in addition to those of the format.
     header_lines : int
         Lines to skip at the beginning of a text file.
     where : str, optional
-        The lines of a text file to read, as "feature_name=Top", by the name of a column; all by default.
+        Reads only the lines of a text file with this value in this column, as "feature_name=Top".
     duplicates : "strongest", "topmost", "lowest", "mean" or "sheets"
-        Which pick of several in a column is kept; "sheets" makes horizons of the others.
+        Which of several picks in a column is kept; "sheets" makes separate horizons of them.
     gridding : "" or "plate" or "nearest"
-        Makes a grid of points that are on no lattice.
+        Grids points that are on no lattice, with a smooth plate or the nearest point.
     origin, column_step, row_step : (x, y), optional
-        The lattice of a text file: the place of a column, or of the first number of a matrix of heights, and steps to the next
-        column and row, or number and line; found by default.
+        The lattice of a text file: position of a column, or of the first number of a matrix of heights, and steps to
+        the next column and row (or number and line); found by default.
     leave_out_strays : bool
-        Leaves out up to a tenth of the picks, off the lattice or far from the others.
+        Leaves out picks off the lattice or far from the others, up to a tenth of them.
     rows : (first, last), optional
-        Reads these rows of sparse voxels alone, for a horizon larger than memory: `surface(part, seam_rows=)` meshes a part, and
-        `join` joins the meshes.
+        Reads only these rows of sparse voxels, for a horizon larger than memory. `surface(part, seam_rows=)` meshes
+        such a part, and `join` joins the meshes.
     vertical_step : float, optional
-        z between vertical indices; by default it suits the heights.
+        z between vertical indices; by default derived from the heights.
     direction : "down" or "up", optional
-        Where z increases to, if the file does not say it.
+        Direction in which z increases, if the file does not state it.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
-        Replace those of the file.
+        Override those of the file.
     progress : callable, optional
-        Gets the fraction that is done; what it raises stops the work.
+        Called with the fraction done; an exception in it stops the work.
 
     Returns
     -------
@@ -89,7 +90,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     Raises
     ------
     ValueError
-        With the line or byte, if the file violates its format.
+        If the file violates its format; the message gives the line or byte.
     FileNotFoundError
     """
     path = pathlib.Path(path)
@@ -166,7 +167,7 @@ def _choose(path: pathlib.Path, made: dict[str, Any], names: str | Sequence[str]
 
 def read_mesh(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = None, *,
               progress: Progress | None = None) -> dict[str, Mesh]:
-    """Reads the surfaces of a file in the format TSurf of GOCAD.
+    """Reads the surfaces of a GOCAD TSurf file.
 
     Parameters
     ----------
@@ -182,7 +183,7 @@ def read_mesh(path: str | os.PathLike[str], horizons: str | Sequence[str] | None
     Raises
     ------
     ValueError
-        With the line, if the file violates its format.
+        If the file violates its format; the message gives the line.
     FileNotFoundError
     """
     path = pathlib.Path(path)
@@ -221,26 +222,28 @@ def _write_images(many: Mapping[Any, Any], path: pathlib.Path, name: str | None,
 
 def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, with_borders: bool = False,
           with_attributes: bool = True, direction: str = "", progress: Progress | None = None) -> None:
-    """Writes meshes or horizons in the format of the extension.
+    """Writes meshes, horizons or lines; the extension selects the format.
 
     Parameters
     ----------
     data : Mesh, Horizon, or a list or dict of these; or Lines
-        Either for .vtp (VTK, with all arrays); meshes for .ts (GOCAD), .stl, .ply, .obj and .dxf; meshes with a lattice and horizons for the grids .irap, .gri (IRAP binary),
-        .zmap, .cps3, .grd (Surfer), .asc (Esri, elevations) and, with GDAL, .tif (GeoTIFF), and for tables, .dat and .txt; horizons for .vsm (sparse voxels). Several are in one file of .ts, .dxf, .dat, .txt
-        and .vsm; otherwise each has a file of its own, with its name added to that of `path`. `to_dataframe().to_csv` writes .csv. Lines of faults for .dat, .txt and .csv
-        (tables), .pl (GOCAD), .pol (IRAP, a file for each fault) and, with GDAL, .gpkg (GeoPackage).
+        Meshes and horizons as .vtp (VTK, with all arrays). Meshes as .ts (GOCAD), .stl, .ply, .obj and .dxf. Horizons,
+        and meshes with a lattice, as the grids .irap, .gri (IRAP binary), .zmap, .cps3, .grd (Surfer), .asc (Esri,
+        elevations) and, with GDAL, .tif (GeoTIFF), and as the tables .dat and .txt; `to_dataframe().to_csv` writes
+        .csv. Horizons as .vsm (sparse voxels). Fault lines as .dat, .txt and .csv (tables), .pl (GOCAD), .pol (IRAP,
+        one file per fault) and, with GDAL, .gpkg (GeoPackage). Several surfaces share a file of .ts, .dxf, .dat, .txt
+        and .vsm; in other formats, each has a file of its own, with its name appended to that of `path`.
     path : str or path
-        A file of this name is replaced once the new one is complete. Grids say neither the unit nor the direction of z, and
-        .gri is of single precision.
+        An existing file is replaced only when the new one is complete. Grids store neither the unit nor the direction
+        of z, and .gri is in single precision.
     name : str, optional
-        Name of the surface in the file; by default that of the data.
+        Name of the surface in the file; by default the name of the data.
     with_borders : bool
-        .ts files have border lines.
+        Writes border lines to .ts files.
     with_attributes : bool
-        Tables have attributes.
+        Writes attributes to tables.
     direction : "down" or "up", optional
-        Where z of the file increases to; by default as that of the data.
+        Direction in which z increases in the file; by default as in the data.
     progress : callable, optional
 
     Raises

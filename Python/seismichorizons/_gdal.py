@@ -62,13 +62,13 @@ def read_image(path: pathlib.Path) -> tuple[dict[str, Any], dict[str, Any]]:
     except RuntimeError as error:
         raise ValueError("%s: GDAL cannot read it: %s" % (path.name, error)) from None
     if transform is None:
-        raise ValueError("%s: a picture without places, expected a GeoTIFF with a transform" % path.name)
+        raise ValueError("%s: an image without coordinates, expected a GeoTIFF with a transform" % path.name)
     if file.RasterCount != 1 or values.ndim != 2:
         raise ValueError("%s: %d bands, expected one of heights" % (path.name, file.RasterCount))
     is_value = np.isfinite(values) & (True if null is None else values != null)
     j, i = np.nonzero(is_value)
     if not len(i):
-        raise ValueError("%s: no points, expected those of a horizon at least" % path)
+        raise ValueError("%s: no points, expected those of a horizon" % path)
     x, dx, rx, y, dy, ry = transform
     x, y = x + (i + 0.5) * dx + (j + 0.5) * rx, y + (i + 0.5) * dy + (j + 0.5) * ry
     is_down = str(band.GetMetadataItem(POSITIVE_OF_BAND)).lower() == "down"
@@ -112,7 +112,7 @@ def _set_system(file: Any, name: str, osr: Any) -> list[str]:
         system.SetFromUserInput(name)
         file.SetSpatialRef(system)
     except RuntimeError:
-        return ["the coordinate system %s is none that GDAL knows; CoordinateSystem says which, as EPSG:23031" % name]
+        return ["the coordinate system %s is unknown to GDAL: set CoordinateSystem, for example to EPSG:23031" % name]
     return []
 
 
@@ -166,7 +166,7 @@ def map_of_lines(lines: Any, path: pathlib.Path, direction: str) -> bytes:
     try:
         system.SetFromUserInput(lines.coordinate_system) if lines.coordinate_system else None
     except RuntimeError:
-        raise ValueError("%s: the coordinate system %s is none that GDAL knows, expected one as EPSG:23031" % (path, lines.coordinate_system)) from None
+        raise ValueError("%s: the coordinate system %s is unknown to GDAL, expected one such as EPSG:23031" % (path, lines.coordinate_system)) from None
     place = "/vsimem/%s.gpkg" % uuid.uuid4().hex
     try:
         file = ogr.GetDriverByName("GPKG").CreateDataSource(place)

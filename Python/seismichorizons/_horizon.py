@@ -25,17 +25,17 @@ class Lattice:
     Attributes
     ----------
     shape : (rows, columns)
-        Its size; arrays of `Horizon.grid` have this shape.
+        Arrays from `Horizon.grid` have this shape.
     origin : (x, y)
-        Place of row 0, column 0.
+        Position of row 0, column 0.
     column_step, row_step : (x, y)
         Steps to the next column and to the next row.
     first_z, vertical_step : float
-        z of vertical index 0, and between vertical indices, in the unit of z. The step is the unit of noise and thresholds.
+        z of vertical index 0, and z between vertical indices, in the unit of z.
     indices : int
         Number of vertical indices.
     lines : (first inline, inline step, first crossline, crossline step) or None
-        Inlines are rows, crosslines columns.
+        Rows are inlines, and columns are crosslines.
     """
 
     shape: tuple[int, int]
@@ -58,7 +58,7 @@ class Lattice:
         return math.degrees(math.atan2(*self.column_step)) % 360.0
 
     def places(self, columns: Any, rows: Any) -> tuple[Any, Any]:
-        """x and y of columns and rows, which may be fractions."""
+        """x and y at columns and rows, which may be fractional."""
         (ax, ay), (bx, by), (x, y) = self.column_step, self.row_step, self.origin
         return ax * columns + bx * rows + x, ay * columns + by * rows + y
 
@@ -76,27 +76,27 @@ class WithAttributes:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Horizon(WithAttributes):
-    """Heights at columns of a lattice, at most one for each, as `horizon` and `read` make them.
+    """A horizon: heights at columns of a lattice, at most one per column. Made by `horizon` or `read`.
 
     Attributes
     ----------
     name : str
     columns : int32 array of shape (n, 2)
-        Column and row of each point, by rows.
+        Column and row of each point, sorted by row.
     z : float64 array of n
-        Time, depth or elevation, in `vertical_unit`; it increases in `direction`.
+        Time, depth or elevation, in `vertical_unit`. It increases in `direction`.
     lattice : Lattice
     attributes : dict of arrays of n
-        Other values of points; `horizon["name"]` gives one as well.
+        Other values at the points, also available as `horizon["name"]`.
     direction : "down" or "up"
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     filled : uint8 array of n
-        1 where z was computed between known points, 2 outside of them, 0 where it was given.
+        0 where z was given, 1 where it was interpolated between known points, 2 where it was extrapolated beyond them.
     taken : tuple of str
-        How the input was understood, in lines.
+        How the input was interpreted, line by line.
     left_out : dict
-        Numbers of points that were left out of the input, by reason.
+        Number of input points left out, by reason.
     """
 
     name: str
@@ -168,12 +168,12 @@ class Horizon(WithAttributes):
         return 1 if self.direction == "up" else -1
 
     def grid(self, values: str | NDArray[Any] | None = None) -> NDArray[Any]:
-        """Values on the whole lattice.
+        """Returns values as a grid on the whole lattice.
 
         Parameters
         ----------
         values : str or array of n, optional
-            An attribute, or a number for each point; z by default.
+            Name of an attribute, or a number for each point; z by default.
 
         Returns
         -------
@@ -214,15 +214,15 @@ class Horizon(WithAttributes):
 
     # ---- Objects of other packages ----------------------------------------------------------------------------------
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame with X, Y, Z, line numbers where known, and attributes."""
+        """Returns a pandas DataFrame with X, Y, Z, line numbers if known, and attributes."""
         import pandas
 
         lines = {} if self.lattice.lines is None else {"Inline": self.inlines, "Crossline": self.crosslines}
         return pandas.DataFrame({"X": self.x, "Y": self.y, "Z": self.z, **lines, **self.attributes})
 
     def to_xarray(self) -> Any:
-        """An xarray Dataset with z and attributes on the lattice; x and y are coordinates of dimensions where these are along
-        the axes, otherwise of both."""
+        """Returns an xarray Dataset with z and attributes on the lattice. x and y are coordinates of one dimension each
+        where the lattice is parallel to the axes, otherwise of both."""
         import xarray
 
         rows, columns = self.lattice.shape
@@ -241,7 +241,8 @@ class Horizon(WithAttributes):
         return made
 
     def to_xtgeo(self, name: str | None = None) -> Any:
-        """An xtgeo RegularSurface of z, or of an attribute. Raises ValueError if the steps are not at right angles."""
+        """Returns an xtgeo RegularSurface of z, or of an attribute. Raises ValueError if the steps are not at right
+        angles."""
         import xtgeo
 
         (ax, ay), (bx, by) = self.lattice.column_step, self.lattice.row_step
@@ -255,11 +256,11 @@ class Horizon(WithAttributes):
             values=np.ma.masked_invalid(self.grid(name).T), name=name or self.name)
 
     def to_vtk(self) -> Any:
-        """A vtkPolyData of points; z of the world is upwards."""
+        """Returns a vtkPolyData of points, with z upwards."""
         return _poly_data(np.column_stack((self.x, self.y, self.sign * self.z)), self.attributes, None)
 
     def to_pyvista(self) -> Any:
-        """A pyvista.PolyData of points; z of the world is upwards."""
+        """Returns a pyvista.PolyData of points, with z upwards."""
         import pyvista
 
         return pyvista.wrap(self.to_vtk())
@@ -270,11 +271,11 @@ class Horizon(WithAttributes):
         Parameters
         ----------
         name : str, optional
-            An attribute; z by default.
+            Name of an attribute; z by default.
         axes : matplotlib.axes.Axes, optional
-            Where to draw; a new figure by default.
+            Axes to draw on; a new figure by default.
         **keywords
-            For `pcolormesh`.
+            Passed to `pcolormesh`.
 
         Returns
         -------

@@ -19,20 +19,21 @@ from ._horizon import Floats
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Lines:
-    """Lines in space.
+    """Lines in space, such as fault traces, polygons and sticks, or contours.
 
     Attributes
     ----------
     names : list of str
         The fault of each line, or the level of a contour; empty where unknown.
     lines : list of float64 arrays of shape (n, 3)
-        x, y and z of the world, z upwards; closed where the last point is the first.
+        x, y and z in world coordinates, with z upwards. Closed if the last point equals the first.
     sticks : list of str
-        The number of each line in its fault; empty where unknown. Of cutoffs the wall, "footwall" or "hanging wall".
+        The stick number of each line in its fault; empty where unknown. For cutoffs the wall, "footwall" or "hanging
+        wall".
     taken : tuple of str
-        What each file was taken for.
+        How each file was interpreted.
     direction : "down" or "up"
-        Where z of the files increases to.
+        Direction in which z increases in the files.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str
         Empty where unknown.
     """
@@ -78,7 +79,7 @@ class Lines:
                 "cell_data": {"FaultName": list(self.names), "FaultStick": list(self.sticks)}, "field_data": give_survey(self)}
 
     def to_dataframe(self) -> Any:
-        """A pandas DataFrame with Fault, Stick, Line, X, Y, Z; z is upwards."""
+        """Returns a pandas DataFrame with Fault, Stick, Line, X, Y and Z, with z upwards."""
         import pandas
 
         sizes = list(map(len, self.lines))
@@ -87,7 +88,7 @@ class Lines:
                                  "Line": np.repeat(np.arange(len(self)), sizes), "X": x, "Y": y, "Z": z})
 
     def to_geodataframe(self) -> Any:
-        """A geopandas GeoDataFrame of lines; z is upwards."""
+        """Returns a geopandas GeoDataFrame of lines, with z upwards."""
         import geopandas
         import shapely
 
@@ -140,33 +141,33 @@ def _of_geopandas(frame: Any) -> Lines:
 def read_faults(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], *, columns: str | Sequence[str] = "",
                 nodata: str | float | Sequence[float] | None = None, header_lines: int = 0, direction: str = "",
                 progress: Progress | None = None) -> Lines:
-    """Reads traces, polygons or sticks of faults.
+    """Reads fault traces, polygons or sticks.
 
     Parameters
     ----------
     path : str or path, or a list of these
-        Tables of points with columns of faults and sticks, GOCAD PLines, ZMAP and CPS-3 lines, polygons of IRAP, sticks of Charisma
-        and IESX; by content. Lines without a name get that of their file if there are several. GeoPackage, shapefiles and GeoJSON by
-        GDAL, by name.
+        Tables of points with columns for faults and sticks, GOCAD PLines, ZMAP and CPS-3 lines, IRAP polygons, and
+        sticks of Charisma and IESX, recognised by content; GeoPackage, shapefiles and GeoJSON by extension, with GDAL.
+        Of several files, unnamed lines are named after their file.
     columns : str or list of str, optional
-        What the columns of a table are, as "X Y Z Fault Stick Node", where they are not found.
+        Columns of a table, as "X Y Z Fault Stick Node", if they are not recognised.
     nodata : number, list of numbers, or str, optional
-        Values that mean no z; such points are left out.
+        Values that mark missing z; such points are left out.
     header_lines : int
         Lines to skip at the beginning of a file.
     direction : "down" or "up", optional
-        Where z increases to, if the file does not say it.
+        Direction in which z increases, if the file does not state it.
     progress : callable, optional
 
     Returns
     -------
     Lines
-        `taken` says what each file was taken for.
+        `taken` describes how each file was interpreted.
 
     Raises
     ------
     ValueError
-        With the file and the line, if a file violates its format.
+        If a file violates its format; the message gives the file and line.
     FileNotFoundError
     """
     paths = [pathlib.Path(one) for one in ([path] if isinstance(path, (str, os.PathLike)) else path)]

@@ -16,14 +16,15 @@ from ._horizon import Floats, Lattice, WithAttributes, _poly_data, label_map
 
 @dataclasses.dataclass(frozen=True)
 class Ledger:
-    """Accounts for the columns of a mesh: each column is in one entry.
+    """Account of the columns of a mesh: each column belongs to one entry.
 
     Attributes
     ----------
     known : int
-        Columns with a given z, under the mesh.
+        Columns under the mesh with a given z.
     filled, bridged, extrapolated : int
-        Columns under the mesh whose z was computed: before meshing between known columns, by triangles alone, or outside.
+        Columns under the mesh with a computed z: filled between known columns before meshing, spanned only by
+        triangles, or extrapolated beyond known columns.
     left_out : int
         Columns with a given z that the mesh does not cover.
     column_area : float
@@ -43,48 +44,47 @@ class Ledger:
         return self.known + self.filled + self.bridged + self.extrapolated
 
     def __repr__(self) -> str:
-        parts = (("filled", self.filled), ("bridged", self.bridged), ("extrapolated", self.extrapolated), ("left out", self.left_out))
-        shares = (("%.3g %% %s" % (100.0 * number / self.covered, name) if self.covered else "%d %s" % (number, name))
-                  for name, number in parts if number)
+        parts = (("filled", self.filled, self.covered), ("bridged", self.bridged, self.covered), ("extrapolated", self.extrapolated, self.covered),
+                 ("of the points left out", self.left_out, self.known + self.left_out))
+        shares = ("%.3g %% %s" % (100.0 * number / whole, name) for name, number, whole in parts if number)
         return "{:,} columns covered".format(self.covered) + "".join(", " + share for share in shares)
 
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Mesh(WithAttributes):
-    """A triangle mesh of a horizon, as `surface` and `read` make it; also points with outlines alone, before they are meshed.
+    """A triangle mesh of a horizon, from `surface` or `read_mesh`, or points with outlines that are not yet meshed.
 
     Attributes
     ----------
     name : str
     points : float64 array of shape (n, 3)
-        x, y and z of the world, z upwards.
+        x, y and z in world coordinates, with z upwards.
     triangles : int32 array of shape (m, 3)
-        Points of each triangle, counter-clockwise seen from above.
+        Points of each triangle, counter-clockwise as seen from above.
     attributes : dict of arrays of n
-        Attributes of the horizon: the mean over the points that a vertex represents, or the nearest for whole numbers;
-        `mesh["name"]` gives one as well.
+        Attributes of the horizon, also available as `mesh["name"]`: the mean over the points that a vertex represents,
+        or for whole numbers the value of the nearest point.
     errors : float64 array of m
-        The largest vertical distance of a point of the horizon from each triangle, in the unit of z; nan where it was not
-        measured.
+        Largest vertical distance of horizon points from each triangle, in the unit of z; nan if not measured.
     quality : float32 array of m
-        Shape of each triangle in plan, from 0 to 1 for equal edges.
+        Shape of each triangle in map view, from 0 to 1 for equal edges.
     outlines : list of int32 arrays
-        Points of each closed outline, those of holes included; the surface is to the right.
+        Points of each closed outline, including those of holes, with the surface to the right.
     patches : int32 array of n
         Number of the connected patch of each point.
     counts : int64 array of n
-        Points of the horizon that a vertex represents.
+        Number of horizon points that each vertex represents.
     columns : int32 array of shape (n, 2)
-        Column and row of the lattice of each point; -1 for the mean of several.
+        Column and row of each point on the lattice; -1 for the mean of several points.
     largest_error, mean_error : float
-        Vertical distances of points of the horizon from the mesh, in the unit of z; the largest includes points on outlines.
-        nan where they were not measured.
+        Vertical distances of horizon points from the mesh, in the unit of z; the largest includes points on outlines. nan
+        if not measured.
     details : dict
-        Other figures: chosen parameters, moves of outlines, the smallest angle in degrees.
+        Other figures: chosen parameters, deviations of outlines, smallest angle in degrees.
     ledger : Ledger
     lattice : Lattice, or None for a mesh of a file
     direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
-        Those of the horizon.
+        As in the horizon.
     """
 
     name: str
@@ -142,23 +142,24 @@ class Mesh(WithAttributes):
         return self.points[:, 2] if self.direction == "up" else -self.points[:, 2]
 
     def to_vtk(self) -> Any:
-        """A vtkPolyData of triangles; z of the world is upwards."""
+        """Returns a vtkPolyData of triangles, with z upwards."""
         return _poly_data(self.points, self.attributes, self.triangles)
 
     def to_pyvista(self) -> Any:
-        """A pyvista.PolyData of triangles; z of the world is upwards."""
+        """Returns a pyvista.PolyData of triangles, with z upwards."""
         import pyvista
 
         return pyvista.wrap(self.to_vtk())
 
     def to_trimesh(self) -> Any:
-        """A trimesh.Trimesh; z of the world is upwards."""
+        """Returns a trimesh.Trimesh, with z upwards."""
         import trimesh
 
         return trimesh.Trimesh(self.points, self.triangles, process=False)
 
     def plot(self, axes: Any = None, **keywords: Any) -> Any:
-        """Draws the triangles on a map with matplotlib, coloured by z; returns the axes. Keywords are for `tripcolor`."""
+        """Draws the triangles, coloured by z, as a map with matplotlib. Keywords are passed to `tripcolor`. Returns the
+        axes."""
         import matplotlib.pyplot
 
         axes = matplotlib.pyplot.subplots()[1] if axes is None else axes

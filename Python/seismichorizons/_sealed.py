@@ -26,35 +26,35 @@ from ._units import height
 
 @dataclasses.dataclass(eq=False, repr=False)
 class SealedModel:
-    """Layers between faults as closed bodies, as `sealed` makes them. All surfaces share the points of their common lines.
+    """Closed bodies of the layers between faults, from `sealed`. Surfaces share points where they meet.
 
     Attributes
     ----------
     points : float64 array of shape (n, 3)
-        x, y and z of the world, z upwards.
+        x, y and z in world coordinates, with z upwards.
     triangles : int array of shape (m, 3)
-        Of horizons counter-clockwise seen from above, of faults from the hanging wall.
+        Counter-clockwise as seen from above for horizons, and as seen from the hanging wall for faults.
     surface : list of str of m
         The horizon, fault or wall of each triangle.
     surface_type : uint8 array of m
         0 horizon, 1 fault, 2 wall, 3 top or base.
     body_above, body_below : int32 arrays of m
-        Bodies before and behind each triangle, by number; -1 outside.
+        Number of the body in front of and behind each triangle; -1 outside.
     guessed : uint8 array of n
-        0 near picks, 1 continued, 2 by another horizon.
+        0 near picks, 1 extrapolated, 2 derived from another horizon.
     names : list of str
-        Of the bodies: layer and block, such as "Top to Base, F1 footwall".
+        Layer and block of each body, such as "Top to Base, F1 footwall".
     bodies : list of Mesh
-        The closed surface of each body, which faces outwards.
+        The closed surface of each body, facing outwards.
     lines : Lines
-        Where surfaces meet, with the kind as name: cutoff, branch, trace, tip, outline, pinch-out or edge.
+        Lines where surfaces meet, named by kind: cutoff, branch, trace, tip, outline, pinch-out or edge.
     figures : dict of arrays
-        A value for each body: layer, block, volume, area.
+        One value for each body: layer, block, volume, area.
     areas : dict of arrays
-        A value for each pair of layers that meet at a fault: fault, footwall, hanging_wall, area.
+        One value for each pair of layers that meet at a fault: fault, footwall, hanging_wall, area.
     picks : dict of arrays
-        What became of the picks of each horizon: used, beside_faults, not_agreeing, doubled, outside; of those used, moved and
-        largest_move; and columns of the horizon, and those without a pick, continued.
+        Use of the picks of each horizon: used, beside_faults, not_agreeing, doubled, outside; moved and largest_move of
+        those used; columns of the horizon; and columns without a pick, continued.
     """
 
     points: Floats
@@ -82,7 +82,7 @@ class SealedModel:
         Parameters
         ----------
         path : str or path
-            A file of this name is replaced once the new one is complete.
+            An existing file is replaced only when the new one is complete.
         progress : callable, optional
 
         Raises
@@ -109,24 +109,28 @@ def sealed(horizons: Mapping[str, Horizon] | Sequence[Horizon] | Horizon, faults
     Parameters
     ----------
     horizons : Horizon, or dict or list of Horizon
-        In depth, on one lattice.
+        In depth, and on the same lattice.
     faults : Faults, dict of Faults by horizon, Lines, list of arrays, or dict of Mesh by fault
-        As of `cutoffs`.
+        As in `cutoffs`.
     endings : str
-        Which fault ends at which, as "F2 > F1; F3 > F1"; by default a fault ends at those that it lies beside, and of two that
-        cross, the smaller one ends, on each side. With an entry, faults that cross need one.
+        Which fault ends at which, as "F2 > F1; F3 > F1", for all faults that cross. By default, a fault ends at the
+        faults it meets, and of two that cross the smaller one ends, on each side.
     end_distance : float
-        A fault that reaches less beyond another one ends there, in columns.
+        A fault that extends less than this beyond another ends there, in columns.
     unconformities : str
-        Names of horizons, with semicolons between them, that faults end at from below.
+        Names of horizons, separated by semicolons, at which faults end from below, unless more than a tenth of the
+        fault is above.
     tips : "sticks" or "through"
-        Whether faults that reach no wall or other fault die out where their sticks end, as slits in bodies, or go on.
+        "sticks": faults die out half a stick spacing beyond their sticks, or at their tip loop, unless the surface that
+        they end at is within `end_distance`. "through": faults continue to walls and other faults.
     outline : "box" or "picks"
-        Where the walls are: around the columns that all horizons have, or along the outline of all picks there.
+        Walls form a box around the columns that all horizons have, or follow the picks inside this box, with few
+        corners.
     dip, drop_distance, drop_noise : float
-        As of `cutoffs`.
+        As in `cutoffs`.
     largest_error : float or str, optional
-        Of picks, in the unit of z or with a unit; by default six times the noise of the roughest horizon.
+        Largest vertical error at picks, in the unit of z or with a unit; by default six times the noise of the roughest
+        horizon.
     progress : callable, optional
 
     Returns

@@ -24,26 +24,26 @@ from ._units import height
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Layers:
-    """Volumes of the layers between horizons, as `layers` makes them. They share points, so that no gap is between them.
+    """Volumes of the layers between horizons, from `layers`. Layers share points and have no gaps.
 
     Attributes
     ----------
     names : list of str
-        Of the layers, the uppermost first, such as "Top to Base".
+        Names of the layers, uppermost first, such as "Top to Base".
     points : float64 array of shape (n, 3)
-        x, y and z of the world, z upwards.
+        x, y and z in world coordinates, with z upwards.
     cells : dict of int64 arrays of shape (m, corners) by number of corners
-        Tetrahedra (4), pyramids (5) and wedges (6), each kind in the order of VTK.
+        Tetrahedra (4), pyramids (5) and wedges (6), with corners in the order of VTK.
     layer, sublayer, thickness, volume : dict of arrays by number of corners
-        Number of the layer and of the sublayer in it, mean thickness and volume of each cell.
+        Layer, sublayer, mean thickness and volume of each cell.
     bodies : dict of Mesh
-        The closed surface of each layer, which faces outwards.
+        The closed surface of each layer, facing outwards.
     horizons : dict of Mesh
         The horizons on the common triangulation.
     figures : dict of arrays
-        A value for each layer: volume, area, thickness_mean, crossings, volume_without and so on.
+        One value for each layer: volume, area, thickness_mean, crossings, volume_without and so on.
     curve : dict of arrays
-        The volume of each layer above a level contact, at 101 heights (contact, z upwards).
+        Volume of each layer above a level contact, for 101 heights (contact, z upwards).
     volume_unit : str
     """
 
@@ -70,7 +70,7 @@ class Layers:
             "%s %.6g%s" % (name, volume, unit) for name, volume in zip(self.names, self.figures["volume"]))
 
     def to_vtk(self) -> Any:
-        """A vtkUnstructuredGrid with cell data Layer, Thickness and Volume; z of the world is upwards."""
+        """Returns a vtkUnstructuredGrid with the cell data Layer, Thickness and Volume, and z upwards."""
         require_vtk()
         from vtkmodules.util.numpy_support import numpy_to_vtk
         from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
@@ -86,15 +86,15 @@ class Layers:
         return grid
 
     def to_pyvista(self) -> Any:
-        """A pyvista.UnstructuredGrid with cell data Layer, Thickness and Volume; z of the world is upwards."""
+        """Returns a pyvista.UnstructuredGrid with the cell data Layer, Thickness and Volume, and z upwards."""
         import pyvista
 
         return pyvista.wrap(self.to_vtk())
 
     @functools.cached_property
     def boundary(self) -> dict[str, dict[int, NDArray[np.int64]]]:
-        """The faces around the stack and between layers by group, Top, Base, Sides, Faults and horizons, and by number of corners:
-        the cell as in a .vtu file, and its points, counter-clockwise from outside."""
+        """Faces around the stack and between layers, by group (Top, Base, Sides, Faults and horizons) and number of
+        corners: the cell as in a .vtu file, and the points, counter-clockwise from outside."""
         return {name: faces for name, _, faces in self._groups()}
 
     def _groups(self) -> Iterator[tuple[str, str, dict[int, NDArray[np.int64]]]]:
@@ -105,10 +105,10 @@ class Layers:
     def write(self, path: str | os.PathLike[str], *, boundaries: bool = False, progress: Progress | None = None) -> None:
         """Writes the cells for VTK (.vtu), Gmsh (.msh), Abaqus and CalculiX (.inp) or MODFLOW 6 (.disv).
 
-        With `boundaries`, files are as OpenGeoSys wants: cells have MaterialIDs, the number of the layer, and each group of faces
-        has a .vtu file beside that of the cells, such as layers_Top.vtu, with bulk_node_ids and bulk_element_ids.
+        With `boundaries`, files suit OpenGeoSys: cells have the layer number as MaterialIDs, and each group of faces has a
+        .vtu file of its own, such as layers_Top.vtu, with bulk_node_ids and bulk_element_ids.
 
-        Raises ValueError if the format cannot hold them, and OSError if the file cannot be written.
+        Raises ValueError if the format cannot hold the cells, and OSError if the file cannot be written.
         """
         path = pathlib.Path(path)
         if not path.absolute().parent.is_dir():
@@ -202,44 +202,45 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
     Parameters
     ----------
     horizons : dict or list of Horizon
-        Two or more of one survey, on one lattice or on lattices whose steps are multiples of the smallest.
+        At least two horizons of one survey, on the same lattice or on lattices with multiples of the smallest steps.
     largest_error : float or str, optional
-        The largest vertical distance of a point of any horizon from the layers, in the unit of z or with a unit; by default six
-        times the noise of the horizon that has the most.
+        Largest vertical distance of horizon points from the layers, in the unit of z or with a unit; by default six times
+        the noise of the noisiest horizon.
     crossings : "mean", "upper_wins", "lower_wins" or "stop", or a list of these for each layer
-        What happens where horizons cross: both move to their mean, the lower or the upper one moves, or an error.
+        How to treat crossing horizons, for all layers or for each: "mean" moves both to their mean, which suits noise;
+        "upper_wins" moves the lower one, as if eroded; "lower_wins" moves the upper one, as in onlap; "stop" is an
+        error.
     minimum_thickness : float or str
-        Where a layer is thinner, it is absent.
+        Where layers are thinner, their horizons merge.
     order : "by_height" or "as_given"
-        Which horizon is above which: by mean heights, or from the first one down.
+        Order of the horizons: by mean height in common columns, or as given, uppermost first.
     domain : "each_layer" or "common"
-        Layers are where both their horizons are, or where all horizons are.
+        Extent of the layers: where both of their horizons are, or where all horizons are.
     missing : "follow", "interpolate" or "void"
-        Where a horizon has no points: holes and gaps are closed, and between others it follows the nearer one; these are closed
-        alone; or both layers beside it are absent.
+        Where a horizon has no points: "follow" closes its holes and gaps, and lets it follow the nearer of its two
+        neighbours elsewhere; "interpolate" only closes holes and gaps; "void" leaves out the layers next to it.
     largest_hole_size, largest_gap : int
-        Holes of up to this number of columns, and gaps of up to this width, are closed.
+        Largest enclosed holes to close, in columns, and widest gaps.
     bound_thickness : bool
-        Bounds the error of the thickness, too.
+        Also keeps the thickness within the error; otherwise it is within twice the error, with fewer cells.
     keep_outlines : bool
-        Outlines of the common domain stay as they are on the map.
+        Keeps outlines of the common domain unchanged in map view.
     pinch_out_lines : bool
-        Layers end along lines; otherwise in thin feathers.
+        Ends layers at lines; otherwise they end in thin feathers.
     smallest_pinch : int
-        The smallest area without a layer that has such a line, in columns.
+        Smallest area without a layer that is bounded by such a line, in columns.
     effort, smallest_angle, edge_length, edge_growth, fit_heights
         As in `surface`.
     sublayers : int or list of int for each layer from the uppermost on
-        Each layer is divided into this number of sublayers, which are equally thick at each point on the map, and end where it
-        ends.
+        Number of sublayers of equal thickness, for all layers or for each.
     largest_sublayer_thickness : float or str
-        Layers get more sublayers until none is thicker, in the unit of z or with a unit; 0: any.
+        Adds sublayers until none is thicker than this, in the unit of z or with a unit; 0: no limit.
     tetrahedra : bool
-        All cells are split into tetrahedra, which fit those of neighbours.
+        Splits all cells into tetrahedra, as a conforming mesh of the same volume.
     contact : float, optional
-        z, in the direction of the horizons, of a level contact: `figures` get the volume above it.
+        z of a level fluid contact, in the direction of the horizons; adds the volume above it to `figures`.
     faults : dict of Faults by name of the horizon, optional
-        Where layers are divided.
+        Faults that divide layers.
     progress : callable, optional
 
     Returns
@@ -283,7 +284,7 @@ def layers(horizons: Mapping[str, Horizon] | Sequence[Horizon], largest_error: f
 
 def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings: str | Sequence[str] = "mean", minimum_thickness: float | str = 0.0,
               order: str = "by_height", progress: Progress | None = None) -> dict[str, Horizon]:
-    """Puts horizons that cross in order, column by column.
+    """Puts crossing horizons in order, column by column.
 
     Parameters
     ----------
@@ -294,7 +295,8 @@ def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings:
     Returns
     -------
     dict of Horizon
-        The uppermost first, with all points and the attribute Moved: how far each was moved, in the direction of z.
+        Uppermost first, with all points, and with the attribute Moved: how far each point was moved in the direction of
+        z.
     """
     given, named = named_horizons(horizons, "crossings")
     names, made = call("crossings", _core.crossings, named, _stack_options(given, crossings, minimum_thickness, order), progress)
@@ -305,18 +307,18 @@ def crossings(horizons: Mapping[str, Horizon] | Sequence[Horizon], *, crossings:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Distance:
-    """Distances between two surfaces, as `distance` measures them, in the unit of x, y and z.
+    """Distances between two surfaces, from `distance`, in the unit of x, y and z.
 
     Attributes
     ----------
     largest, mean, rms : float
-        Of both directions, in space.
+        For both directions, in space.
     of_reference, of_mesh : float64 arrays
         Distance in space of each point of the reference, and of the mesh, from the other surface; negative below it.
     vertical_of_reference, vertical_of_mesh : float64 arrays
-        How far each point is above the other surface; nan where that is not above or below.
+        Height of each point above the other surface; nan if the other surface is neither above nor below.
     details : dict
-        All figures, by name: arrays of (reference to mesh, mesh to reference, both).
+        All figures by name, as arrays of (reference to mesh, mesh to reference, both).
     """
 
     largest: float
@@ -336,20 +338,21 @@ class Distance:
 
 def distance(reference: Any, mesh: Any, *, samples_per_point: float = 2.0, seed: int = 1, radius: int = 1, include_filled: bool = False,
              progress: Progress | None = None) -> Distance:
-    """Measures the distances between a horizon and a mesh, or between two meshes, as Metro does.
+    """Measures distances between a horizon and a mesh, or between two meshes, in both directions.
 
     Parameters
     ----------
     reference, mesh : Horizon, Mesh, pyvista.PolyData or (points, triangles)
-        In one coordinate system, z of points upwards. A horizon is meshed with all its points.
+        In the same coordinate system, with z of points upwards. A horizon is meshed with all its points.
     samples_per_point : float
-        Density of the samples for the means, from 0.01 to 1000.
+        Samples on each surface per point of the larger one, from 0.01 to 1000. More samples give more exact means and
+        percentiles.
     seed : int
-        Of the samples.
+        Seed of the samples.
     radius : int
-        The largest gap of the reference that is meshed, in columns.
+        Radius of outlines, in columns, if the reference is a horizon.
     include_filled : bool
-        Figures include filled points.
+        Includes filled points in the figures.
     progress : callable, optional
 
     Returns

@@ -41,28 +41,28 @@ def given_options(**options: Any) -> dict[str, Any]:
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Faults:
-    """Faults of a horizon, as `faults` finds them.
+    """Faults of a horizon, from `faults`.
 
     Attributes
     ----------
     links : int32 array of shape (n, 3)
-        Column, row and side (0 east, 1 north) of each link between neighbours that a fault cuts.
+        Column, row and side (0 east, 1 north) of each link between neighbouring columns that a fault cuts.
     lines : int32 array of n
-        Number of the line of each link.
+        Number of the fault line of each link.
     names : list of str
-        The fault of each line, "fault 1" and so on where it has no name.
+        Fault of each line; "fault 1" and so on for unnamed faults.
     throws : float64 array of n
-        z beyond each link, to the east or north, minus z before it; nan without a point nearby.
+        z on the far side of each link (east or north) minus z on the near side; nan without a nearby point.
     noise : float
-        Standard deviation of differences between neighbours, in the unit of z.
+        Standard deviation of differences between neighbouring columns, in the unit of z.
     smallest_throw : float
-        That a fault reaches somewhere, in the unit of z.
+        Throw that a fault must reach somewhere, in the unit of z.
     traces : Lines
-        The lines on the horizon, half way between columns, with the names of given faults.
+        Fault lines on the horizon, half way between columns, with the names of supplied faults.
     surfaces : dict of Mesh
-        The surface of each fault, by name, where sticks were given.
+        Surface of each fault, by name, if sticks were supplied.
     horizon : Horizon
-        Without the points inside given polygons.
+        The horizon without points inside fault polygons.
     """
 
     links: NDArray[np.int32]
@@ -96,36 +96,37 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
            smallest_branch: int = 10, largest_gap: int = 5, largest_ramp: int = 7, join_through_holes: bool = True,
            lines: Any = None, are_sticks: bool = False, extend_sticks: bool = False, polygons: str = "blank", detect: bool | None = None,
            progress: Progress | None = None) -> Faults:
-    """Finds faults in the heights of a horizon, or takes those of lines.
+    """Detects faults in a horizon, or uses fault lines that you supply.
 
     Parameters
     ----------
     horizon : Horizon
     smallest_throw : float or str, optional
-        The throw that a fault must reach somewhere, in the unit of z or with a unit; by default eight times the noise of
-        heights.
+        Throw that a fault must reach somewhere, in the unit of z or with a unit; the fault is followed down to half of
+        this. By default eight times the noise.
     noise : float or str, optional
-        Standard deviation of differences between neighbours; measured by default.
+        Standard deviation of noise in height differences between neighbouring columns; measured by default.
     smallest_extent : int
-        The least extent of a fault, in columns.
+        Smallest extent of a fault, in columns along either axis.
     smallest_branch : int
-        Branches of fewer links are dropped.
+        Branches with fewer faulted links are dropped.
     largest_gap : int
-        Missing columns in a row that faults are followed across.
+        Largest number of consecutive missing columns that a fault may cross.
     largest_ramp : int
-        Faults may bend the surface over this number of columns; 0 finds steps alone.
+        Widest ramp to treat as a fault, cut in the middle, in columns; 0: steps only.
     join_through_holes : bool
-        Joins lines that end at a hole and point to each other.
+        Joins fault lines across a hole if they point towards each other and have similar throws.
     lines : Lines, list of Lines, or list of arrays of shape (n, 3), optional
-        Traces, polygons or sticks of faults in the coordinates of the horizon: `read_faults` reads some.
+        Fault traces, polygons or sticks in the coordinates of the horizon, as from `read_faults`.
     are_sticks : bool
-        The lines are sticks, from section to section, and not traces on the map. Arrays are sticks of one fault.
+        Treats the lines as sticks down the fault plane, not as traces in map view. Arrays are sticks of one fault.
     extend_sticks : bool
-        Continues surfaces of sticks by half an interval on both sides.
+        Extends stick surfaces at both ends by the last stick spacing.
     polygons : "blank", "cut" or "leave"
-        Points inside closed lines are left out; or the horizon is cut along them; or they are ignored.
+        Points inside fault polygons are dropped ("blank") or remain as islands ("cut"); with "leave", polygons have no
+        effect.
     detect : bool, optional
-        Whether faults are found in heights; by default if there are no lines.
+        Detects faults in the heights; by default only without lines.
     progress : callable, optional
 
     Returns
@@ -159,22 +160,22 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
 
 def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, faults: Faults | None = None,
              progress: Progress | None = None) -> Lines:
-    """Contours of a horizon or a mesh, at multiples of an interval.
+    """Contours a horizon or a mesh, at multiples of an interval.
 
     Parameters
     ----------
     surface : Horizon or Mesh
-        Contours of a mesh are smoother. Points of a horizon are joined to a surface between neighbouring columns.
+        The contours of a mesh are smoother. Horizon points are connected between neighbouring columns.
     interval : float or str, optional
-        In the unit of z or with a unit; by default a round one that gives about twelve contours.
+        In the unit of z or with a unit; by default a round interval that gives about twelve levels.
     faults : Faults, optional
-        Where the surface between the points of a horizon is open; meshes are open where they were made so.
+        Faults at which a horizon is open; meshes are open at their own faults.
     progress : callable, optional
 
     Returns
     -------
     Lines
-        With the levels as names; closed contours end with their first point, and the higher side is to the left.
+        Named after their levels. Closed contours end with their first point, and the higher side is to the left.
 
     Raises
     ------
@@ -220,50 +221,54 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
             smallest_angle: float = 2.0, edge_length: float = 0.0, edge_growth: float = 0.0, effort: str = "best", fit_heights: bool = True, crossing_tolerance: str = "same",
             radius: int | None = None,
             keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
-            outline_tolerance: float | None = None, faults: Faults | None = None, close_faults: bool = False,
-            seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
-    """Makes a mesh of few triangles within an error.
+            outline_tolerance: float | None = None, distance_threshold: float | str | None = None, faults: Faults | None = None,
+            close_faults: bool = False, seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
+    """Makes a mesh with few triangles within a given error.
 
     Parameters
     ----------
     horizon : Horizon, or dict of horizons
     largest_error : float or str, optional
-        The largest vertical distance of a point of the horizon from the mesh: in the unit of z, or with a unit, as "2 ms".
-        By default six times the noise of the heights.
+        Largest vertical distance of horizon points from the mesh, in the unit of z or with a unit, as "2 ms"; by
+        default six times the noise.
     triangles : int, optional
-        The largest number of triangles, in place of an error.
+        Largest number of triangles, instead of an error.
     smallest_angle : float
-        No change makes a smaller angle in plan, in degrees, from 0 to 60.
+        Smallest angle in map view that optimisation may create, in degrees, from 0 to 60.
     edge_length : float
-        For an even mesh of triangles that are near equilateral: the longest inner edge, in columns, at least 4; 0 for few triangles.
+        Longest inner edge of even, near-equilateral triangles, in columns, at least 4; 0: off.
     edge_growth : float
-        With an `edge_length`, edges beside outlines and faults are short, and grow by this part of the distance, 0 to 1; 0 for
-        edges alike.
+        Growth of edges with distance from outlines and faults, from at most three columns up to `edge_length`, from 0
+        to 1; 0: `edge_length` everywhere.
     effort : "best" or "fast"
-        "fast" takes about a third of the time, for some more triangles.
+        "best" needs at most half as many points as "fast", and two to four times the time.
     fit_heights : bool
-        Lets inner points leave the heights of their columns, which needs fewer of them.
+        Fits heights of inner vertices to nearby points, which needs fewer vertices; otherwise vertices are points of
+        the horizon.
     crossing_tolerance : "same", "twice" or "unbounded"
-        How far inner edges may be from lines between neighbouring columns that they cross: as far as points, twice as far,
-        or any distance, where triangles may stand up like spikes.
+        Vertical error of inner edges between columns: the same as at points, twice that, or unbounded, which permits
+        spikes between columns.
     radius : int, optional
-        The largest gap between neighbouring points of a patch, in columns; by default the least for nearly all gaps.
+        Largest hop of outlines along each axis, in columns; by default chosen from the spacing of points.
     keep_holes : bool
-        Keeps holes open.
+        Keeps holes open unless they are too small.
     smallest_hole_size : int, optional
-        Smaller holes, in columns, are closed.
+        Holes with fewer columns strictly inside are closed; by default chosen from radius and outline tolerance.
     minimum_patch_size : int
-        Patches of fewer points are left out.
+        Patches with fewer points are dropped.
     outline_tolerance : float, optional
-        The largest move of outlines on the map, in columns; at most 0.75 by default.
+        Largest distance in map view of a dropped point from its outline, in columns; by default the error, at most 0.75.
+    distance_threshold : float or str, optional
+        Largest vertical distance of a dropped point from its outline, in the unit of z or with a unit; by default the
+        error. If this and `outline_tolerance` are 0, tiles fit at straight borders.
     faults : Faults, optional
-        Where the surface is cut open: `faults` finds them.
+        Faults that split the surface, from `faults`.
     close_faults : bool
-        Closes the cuts by steep triangles.
+        Closes cracks at faults with steep triangles.
     seam_rows : (below, above), optional
-        For a part that `join` joins: rows of the lattice that it shares with other parts; -1 for none.
+        Lowest and highest row if this part shares them with others, for `join`; -1: not shared.
     progress : callable, optional
-        Gets the fraction that is done; what it raises stops the work.
+        Called with the fraction done; an exception in it stops the work.
 
     Returns
     -------
@@ -272,7 +277,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
     Raises
     ------
     ValueError
-        For options out of range, and if outlines alone need more triangles.
+        If an option is out of range, or the outlines already need more triangles.
 
     Examples
     --------
@@ -288,7 +293,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
                      effort=effort, fit_heights=fit_heights,
                      crossing_tolerance=crossing_tolerance, radius=radius,
                      keep_holes=keep_holes, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
-                     outline_tolerance=outline_tolerance, faults=faults,
+                     outline_tolerance=outline_tolerance, distance_threshold=distance_threshold, faults=faults,
                      close_faults=close_faults, seam_rows=seam_rows, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
     require_horizon(horizon, "a surface")
@@ -302,6 +307,8 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),
         smallest_hole_size=None if smallest_hole_size is None else _count("smallest_hole_size", smallest_hole_size),
         outline_tolerance=None if outline_tolerance is None else float(outline_tolerance),
+        distance_threshold=None if distance_threshold is None else
+        height("distance_threshold", distance_threshold, horizon.vertical_unit) / abs(horizon.lattice.vertical_step),
         maximum_number_of_triangles=None if triangles is None else _count("triangles", triangles),
         maximum_error=None if largest_error is None else height("largest_error", largest_error, horizon.vertical_unit))
     given = horizon._data(links_of(faults))
@@ -316,30 +323,32 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
 def fill_holes(horizon: Horizon, largest_hole_size: int = 2500, *, method: str = "automatic", rim_smoothing: float = 1.0,
                rim_width: int = 3, extrapolation_distance: int = 0, faults: Faults | None = None,
                progress: Progress | None = None) -> Horizon:
-    """Computes heights in holes.
+    """Fills holes with a smooth continuation of the surrounding surface.
 
     Parameters
     ----------
     horizon : Horizon
     largest_hole_size : int
-        Holes of more columns stay open.
+        Holes with more columns stay open.
     method : "automatic", "plate" or "membrane"
-        A plate continues slopes, a membrane does not; "automatic" is a plate whose smoothing suits the noise.
+        "plate" continues the slope and curvature of the rim; "membrane" stays between the heights of the rim;
+        "automatic" is a plate with smoothing and width chosen from the roughness.
     rim_smoothing : float
-        How far a plate leaves the heights around a hole; 0 keeps them. "automatic" chooses it.
+        Smoothing of rim noise by a plate. 0: none, for clean data; 1: for autotracked picks; 16: for noise above half a
+        vertical index. "automatic" chooses it.
     rim_width : int
-        Columns around a hole that a plate takes into account.
+        Width of the rim that a plate continues, in columns. Noisy data need more.
     extrapolation_distance : int
-        Columns outside are computed within this number of steps.
+        Also fills columns up to this far outside the horizon, within the survey.
     faults : Faults, optional
-        Nothing is filled across these.
+        Faults; each side of a fault is filled independently.
     progress : callable, optional
 
     Returns
     -------
     Horizon
-        With the new points at the end; `filled` marks them. Numbers with fractions are interpolated, others are those of
-        the nearest point.
+        With the new points at the end, marked in `filled`. Fractional attributes are interpolated; others have the
+        value of the nearest point.
 
     Examples
     --------
@@ -365,23 +374,24 @@ def _changed(horizon: Horizon, data: Any, attributes: Mapping[str, NDArray[Any]]
 
 def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: int = 2, spur_width: int = 0,
             progress: Progress | None = None) -> Horizon:
-    """Leaves out points far from the median around them.
+    """Removes spikes: points far above or below the points around them.
 
     Parameters
     ----------
     horizon : Horizon
     threshold : float or str, optional
-        The least distance of a spike, in the unit of z or with a unit; by default four times the noise.
+        Points farther above or below the surface through their neighbours are spikes; in the unit of z or with a unit.
+        By default four times the noise.
     radius : int
-        Points within this number of columns are around a point.
+        Reach of the neighbourhood along each axis, in columns; 2 means 5 by 5 columns.
     spur_width : int
-        Spurs of at most this width, in columns, are left out, too; 0 keeps them.
+        Widest strips and spurs to remove, in columns; 0: none.
     progress : callable, optional
 
     Returns
     -------
     Horizon
-        `left_out` has the numbers of spikes and of points on spurs.
+        `left_out` gives the numbers of spikes and of points on spurs.
 
     Examples
     --------
@@ -403,19 +413,20 @@ def despike(horizon: Horizon, threshold: float | str | None = None, *, radius: i
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Thickness:
-    """Thickness between two horizons, as `thickness` measures it.
+    """Thickness between two horizons, from `thickness`.
 
     Attributes
     ----------
     horizon : Horizon
-        The first one at columns with both, with the attributes Isochore (vertical) and, where z has the unit of x and y, Isopach
-        (across the dip; nan where the dip is unknown), in the unit of z; negative where the horizons cross.
+        The top at columns with both horizons. The attribute Isochore is the vertical thickness and, where z has the
+        unit of x and y, Isopach is the thickness perpendicular to the layer (nan where the dip is unknown), both in the
+        unit of z and negative where the horizons cross.
     least, mean, largest : float
-        Of the isochore.
+        Isochore.
     volume : float
-        Area of all columns times their isochore; crossings count as 0. nan where z is time.
+        Sum over columns of area times isochore, with 0 where horizons cross. nan if z is time.
     columns, left_out, crossings : int
-        Columns with both horizons, with one of them, and of negative thickness.
+        Numbers of columns with both horizons, with only one, and with negative thickness.
     """
 
     horizon: Horizon
@@ -440,7 +451,7 @@ def thickness(top: Horizon, base: Horizon, *, progress: Progress | None = None) 
     Parameters
     ----------
     top, base : Horizon
-        On lattices with the same steps and common columns, with z in the same direction and unit.
+        On lattices with the same steps and common columns; z has the same direction and unit.
     progress : callable, optional
 
     Returns

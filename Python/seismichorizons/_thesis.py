@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stages of the thesis one by one, which `surface` does at once, and meshes of parts.
+"""The single stages of the thesis, and the joining of meshes; `surface` runs all stages at once.
 
-Points with outlines, and meshes, are `Mesh` objects. Options are those of the pages of the stages; without a value they have
-their defaults there. All functions raise ValueError for data that a stage does not take, and for options out of range.
+Points with outlines and meshes are `Mesh` objects. Options and their defaults are those on the pages of the stages. All
+functions raise ValueError for data that a stage does not accept, and for options out of range.
 """
 
 from __future__ import annotations
@@ -27,26 +27,27 @@ def _run(stage: Any, of: Horizon | Mesh, data: Any, options: dict[str, Any], pro
 def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: str | None = None, kind: str | None = None,
                       keep_holes: bool | None = None, smallest_hole_size: int | None = None, smallest_hole_area: float | None = None,
                       minimum_patch_size: int | None = None, faults: Faults | None = None, progress: Progress | None = None) -> Mesh:
-    """Finds the outline of each connected patch, and of holes on request.
+    """Finds the outline of each connected patch, and of holes if requested.
 
     Parameters
     ----------
     horizon : Horizon
     radius : int
-        The largest hop of outlines along each axis, in columns, from 1 to 32; 1 by default.
+        Largest hop of outlines along each axis, in columns, from 1 to 32; 1 by default.
     growth : "clockwise" or "distance"
-        How outlines continue where the radius leaves a choice.
+        Course of outlines with a radius above 1: "clockwise" goes straight across narrow bays, "distance" around every
+        detail.
     kind : "exterior", "topological4" or "topological8"
     keep_holes : bool
-        Gives holes outlines, too; off by default.
+        Keeps holes open, with an outline; off by default.
     smallest_hole_size : int
-        Smaller holes, in columns strictly inside, have none.
+        Holes with fewer columns strictly inside are closed.
     smallest_hole_area : float
-        The same in square units of x and y; the larger one counts.
+        Holes with a smaller area, in square units of x and y, are also closed.
     minimum_patch_size : int
-        Patches of fewer points are left out.
+        Patches with fewer points are dropped.
     faults : Faults, optional
-        Where outlines run along both sides.
+        Faults that split the horizon, with an outline along both sides.
     progress : callable, optional
 
     Examples
@@ -64,20 +65,21 @@ def exterior_boundary(horizon: Horizon, *, radius: int | None = None, growth: st
 def boundary_simplification(outlined: Mesh, *, method: str | None = None, distance_threshold: float | None = None,
                             bound_deviation: bool | None = None, outline_tolerance: float | None = None,
                             progress: Progress | None = None) -> Mesh:
-    """Drops points of outlines within tolerances.
+    """Drops outline points within tolerances.
 
     Parameters
     ----------
     outlined : Mesh
-        Points with outlines, as `exterior_boundary` makes them.
+        Points with outlines, from `exterior_boundary`.
     method : "threshold" or "fewest_points"
-        By passes as in the thesis, or with the fewest points.
+        The method of the thesis, or the fewest points within the tolerances.
     distance_threshold : float
-        The largest distance of a dropped point, in vertical indices; 0.4 by default.
+        Points closer to the line through their neighbours are dropped, in lattice units; 0.4 by default. With
+        "fewest_points", the largest vertical distance of a dropped point from the new outline.
     bound_deviation : bool
-        Bounds the distances of all points under a new edge.
+        Keeps dropped points within `distance_threshold` of the final outline.
     outline_tolerance : float
-        The largest move on the map, in columns; 0 by default.
+        Largest distance in map view of a dropped point from the new outline, in columns; 0 by default.
     progress : callable, optional
     """
     options = given_options(method=method, distance_threshold=distance_threshold, bound_deviation=bound_deviation,
@@ -87,15 +89,15 @@ def boundary_simplification(outlined: Mesh, *, method: str | None = None, distan
 
 def rough_simplification(outlined: Mesh, *, cell_size: int | None = None, maximum_number_of_points: int | None = None,
                          representative: str | None = None, progress: Progress | None = None) -> Mesh:
-    """Replaces inner points by one for each square cell.
+    """Replaces inner points with one point per square cell.
 
     Parameters
     ----------
     outlined : Mesh
     cell_size : int
-        The side of cells, in columns; 3 by default.
+        Edge length of cells, in columns; 3 by default.
     maximum_number_of_points : int
-        Chooses the cell size.
+        Chooses the cell size for at most this number of points.
     representative : "barycentre" or "nearest_point"
     progress : callable, optional
     """
@@ -106,17 +108,17 @@ def rough_simplification(outlined: Mesh, *, cell_size: int | None = None, maximu
 def elaborate_simplification(outlined: Mesh, *, cell_size: int | None = None, flatness_threshold: float | None = None,
                              maximum_number_of_points: int | None = None, representative: str | None = None,
                              progress: Progress | None = None, **more: float | str) -> Mesh:
-    """Replaces inner points by one for each cell, where cells are smaller near outlines and where the surface is curved.
+    """Replaces inner points with one point per cell. Cells are smaller near outlines and where the surface is curved.
 
     Parameters
     ----------
     outlined : Mesh
     cell_size : int
-        The largest side of cells, in columns; 8 by default.
+        Largest edge length of cells, in columns; 8 by default.
     flatness_threshold : float
-        Cells above are halved: the least eigenvalue of the covariance over the sum of all; 0.12 by default.
+        Largest curvature of a flat cell, from 0 to 1/3; smaller values keep more points; 0.12 by default.
     maximum_number_of_points : int
-        Chooses the threshold.
+        Chooses the threshold for at most this number of points.
     representative : "barycentre" or "nearest_point"
     progress : callable, optional
     **more
@@ -136,21 +138,21 @@ def elaborate_simplification(outlined: Mesh, *, cell_size: int | None = None, fl
 def triangulation(outlined: Mesh, *, search: str | None = None, convex_hull: bool | None = None, maximum_boundary_angle: float | None = None,
                   maximum_boundary_edge_length: float | None = None, close_faults: bool | None = None,
                   progress: Progress | None = None) -> Mesh:
-    """Joins all points by constrained Delaunay triangles inside the outlines.
+    """Connects all points inside the outlines by a constrained Delaunay triangulation.
 
     Parameters
     ----------
     outlined : Mesh
     search : "voxel_traversal" or "compactness"
-        How third points are found; the mesh is the same.
+        How the third points of triangles are found. The mesh is the same.
     convex_hull : bool
-        Ignores outlines, and removes triangles beyond the limits from the border.
+        Meshes the convex hull of all points and ignores outlines, without outer triangles that exceed the limits below.
     maximum_boundary_angle : float
-        In degrees; with `convex_hull`.
+        Largest angle opposite a boundary edge, in degrees, with `convex_hull`.
     maximum_boundary_edge_length : float
-        In columns; with `convex_hull`.
+        Longest boundary edge, in columns, with `convex_hull`; 0: no limit.
     close_faults : bool
-        Closes cuts by steep triangles.
+        Closes cracks at faults with steep triangles.
     progress : callable, optional
     """
     options = given_options(search=search, convex_hull=convex_hull, maximum_boundary_angle=maximum_boundary_angle,
@@ -162,7 +164,7 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
                fit_heights: bool | None = None, effort: str | None = None, priority: str | None = None, smallest_angle: float | None = None,
                edge_length: float | None = None, edge_growth: float | None = None,
                crossing_tolerance: str | None = None, close_faults: bool | None = None, progress: Progress | None = None) -> Mesh:
-    """Makes a mesh of few triangles within an error, with outlines as they are.
+    """Makes a mesh with few triangles within a given error. Outlines are unchanged.
 
     Parameters
     ----------
@@ -171,13 +173,13 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
     largest_error : float or str, optional
         As in `surface`.
     points : int, optional
-        The largest number of points, in place of an error.
+        Largest number of points, including outlines, instead of an error.
     reduction : float, optional
-        The fraction of points to drop, in place of an error.
+        Fraction of points to drop, instead of an error.
     fit_heights, effort, smallest_angle, edge_length, edge_growth, crossing_tolerance, close_faults
         As in `surface`.
     priority : "sum_of_squares" or "largest_errors"
-        What is minimised for a number of points.
+        Error to minimise for a given number of points: the sum of squares, or the largest error.
     progress : callable, optional
     """
     if sum(value is not None for value in (largest_error, points, reduction)) > 1:
@@ -192,14 +194,14 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
 
 
 def join(parts: Sequence[Mesh], *, minimum_patch_size: int = 1, progress: Progress | None = None) -> Mesh:
-    """Joins meshes of parts of one horizon without a gap.
+    """Joins meshes of the parts of one horizon without gaps.
 
     Parameters
     ----------
     parts : list of Mesh
-        As `surface` makes them with `seam_rows`, with the same error and outline tolerance.
+        Meshes from `surface` with `seam_rows`, with the same error and outline tolerance.
     minimum_patch_size : int
-        Patches of fewer points are left out.
+        Patches with fewer points are dropped.
     progress : callable, optional
     """
     if not parts:

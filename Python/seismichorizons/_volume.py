@@ -28,28 +28,28 @@ FIGURES = ("RmsAmplitude", "MeanAmplitude", "LargestAmplitude", "SmallestAmplitu
 def cube(values: Any, lattice: Lattice | None = None, *, corners: Sequence[Sequence[float]] | None = None, lines: Lines | None = None,
          first_z: float | None = None, vertical_step: float | None = None, nodata: float | None = None, name: str = "cube", direction: str = "down",
          vertical_unit: str = "", vertical_domain: str = "", horizontal_unit: str = "", coordinate_system: str = "") -> Cube:
-    """Makes a cube of an array, as readers of other formats give it.
+    """Makes a cube from an array, such as one from a reader of another format.
 
     Parameters
     ----------
     values : array or xarray.DataArray of shape (inlines, crosslines, samples)
-        Also memory-mapped: it is not copied before it is used, and then once. nan, and what is masked, is no sample. A DataArray
-        may have its dimensions in any order: inline, crossline and another one, whose coordinates are lines and z; and places
-        as the coordinates cdp_x and cdp_y.
+        May be memory-mapped: it is copied once, on first use. nan and masked values are missing samples. A DataArray
+        may have its dimensions in any order (inline, crossline and a third one, with lines and z as coordinates), and
+        positions in the coordinates cdp_x and cdp_y.
     lattice : Lattice, optional
-        Of its traces.
+        Lattice of the traces.
     corners : three or four of (x, y), optional
-        In place of a lattice: places of the traces at the first inline and crossline, the last inline and first crossline, the
-        first inline and last crossline and, to check it, the last ones.
+        Instead of a lattice: x and y of the traces at the first inline and crossline, at the last inline and first
+        crossline, at the first inline and last crossline and, as a check, at the last inline and crossline.
     lines : (first inline, inline step, first crossline, crossline step), optional
-        With corners.
+        Line numbers, with `corners`.
     first_z, vertical_step : float, optional
-        z of the first sample, and between samples; by default those of the lattice or of the coordinates.
+        z of the first sample, and z between samples; by default from the lattice or the coordinates.
     nodata : float, optional
-        A value that means no sample.
+        Value that marks a missing sample.
     name : str
     direction : "down" or "up"
-        Where samples go to.
+        Direction in which the sample number increases.
     vertical_unit, vertical_domain, horizontal_unit, coordinate_system : str, optional
 
     Returns
@@ -59,7 +59,7 @@ def cube(values: Any, lattice: Lattice | None = None, *, corners: Sequence[Seque
     Raises
     ------
     ValueError
-        If places are on no lattice, or of another shape; for samples without a step.
+        If positions are not on a lattice or have another shape, or samples have no constant step.
 
     Examples
     --------
@@ -162,23 +162,26 @@ def _of_places(array: Any, places: list[Any], lines: Lines | None) -> Lattice:
 
 # ---- Amplitudes of horizons -------------------------------------------------------------------------------------------
 def amplitudes(cube: Cube, horizon: Horizon, base: Horizon | None = None, *, above: float | str = 0.0, below: float | str = 0.0) -> Horizon:
-    """Amplitudes of a cube at a horizon and, as figures, in a window around it or down to another horizon.
+    """Adds amplitudes of a cube at a horizon and, if requested, statistics in a window around it or down to another
+    horizon.
 
     Parameters
     ----------
     cube : Cube
     horizon : Horizon
-        On the lattice of the cube or on another one; between traces, the four around are interpolated linearly.
+        On the lattice of the cube or on another one; amplitudes between traces are interpolated linearly from the four
+        around.
     base : Horizon, optional
-        On the lattice of the horizon: the end of the window, below it.
+        Lower end of the window: a horizon below, on the same lattice.
     above, below : float or str
-        How far the window reaches above the horizon and below it, or below the base; in the unit of z, or with a unit.
+        How far the window extends above the horizon, and below it or below the base; in the unit of z or with a unit.
 
     Returns
     -------
     Horizon
-        With the attribute CubeAmplitude, linear between samples; and with a window, of the samples in it, RmsAmplitude,
-        MeanAmplitude, LargestAmplitude and SmallestAmplitude. nan where the cube has no sample, or a horizon no point.
+        With the attribute CubeAmplitude, interpolated linearly between samples, and with a window also RmsAmplitude,
+        MeanAmplitude, LargestAmplitude and SmallestAmplitude of its samples. nan where the cube has no sample or a
+        horizon has no point.
 
     Examples
     --------

@@ -272,7 +272,7 @@ def _require_scale(label, supply, settings):
 
 def _run_stages(label, supply, settings, record, names, folder, found):
     """Returns the results of all horizons except those left out, and writes each at once. If not all horizons fit in
-    memory, only their meshes are kept. `found` collects what was recognized in the file."""
+    memory, only their meshes are kept. `found` collects what was recognised in the file."""
     results = []
     settings = pipeline.with_faults(settings)
     for name, points in supply:

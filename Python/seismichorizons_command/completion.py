@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Completion for bash and zsh, written from the parser."""
 
-import argparse
-
 from . import screens
 from .arguments import AddToList
 
@@ -12,7 +10,7 @@ FILE_METAVARS = ("FILE", "FILES", "FILE.html")
 
 def shown(parser):
     """Returns the options that the help shows."""
-    return [action for action in parser._actions if action.option_strings and action.help != argparse.SUPPRESS]
+    return [action for action in parser._actions if action.option_strings]
 
 
 def values_of(action):

@@ -32,14 +32,14 @@ def add_result_options(group):
                        "text (irap) and binary (gri), ZMAP+ (zmap), CPS-3 (cps3), Surfer (grd), Esri ASCII (asc) and GeoTIFF "
                        "(tif), as picks (dat) and sparse voxels (vsm); with --layers, cells for Gmsh (msh), Abaqus (inp) and MODFLOW (disv) (default: "
                        "vtp)")
-    group.add_argument("--grids-of-meshes", action="store_true", help="write grids with the heights of the meshes, in place of "
-                       "the points of the horizons")
+    group.add_argument("--grids-of-meshes", action="store_true", help="write grids with the heights of the meshes "
+                       "instead of the points of the horizons")
 
 
 def add_report_options(group):
     group.add_argument("--report", type=path, default=NOT_GIVEN, metavar="FILE.html", help="write an HTML report: "
-                       "input, figures, pictures, interactive meshes, and the command that repeats the run; also measures the "
-                       "error, except for horizons larger than memory")
+                       "input, figures, pictures, interactive meshes, and the command that repeats the run; the "
+                       "error is measured, too, except for horizons larger than memory")
     printed = group.add_mutually_exclusive_group()
     printed.add_argument("--json", action="store_true", help="print all figures as one JSON object instead of the tables; "
                        "Documentation/Report.md lists its keys")
@@ -47,13 +47,15 @@ def add_report_options(group):
 
 
 def add_running_options(running):
-    running.add_argument("--no-pictures", action="store_true", help="write no pictures; without an X server there are none")
-    running.add_argument("--leave-out-invalid", action="store_true", help="skip horizons that cannot be processed, with a "
-                         "warning; by default, such a file has no results")
-    running.add_argument("--memory", type=memory, metavar="SIZE", help="memory limit, such as 2G or 800M. Horizons of sparse "
-                         "voxel files are read in groups that fit; one that does not fit is meshed in windows of rows and "
-                         "joined. Other files are read whole, at up to 80 bytes per point, and refused if they do not fit "
-                         "(default: three quarters of the free memory, if a file may need more)")
+    running.add_argument("--no-pictures", action="store_true", help="draw no pictures; without an X server, none are "
+                         "drawn")
+    running.add_argument("--leave-out-invalid", action="store_true", help="skip horizons that cannot be processed, "
+                         "with a warning; by default, their file has no results")
+    running.add_argument("--memory", type=memory, metavar="SIZE", help="memory limit, such as 2G or 800M. Horizons "
+                         "of sparse voxel files are read in groups that fit, and a horizon that does not fit is "
+                         "meshed in windows of rows. Other files are read whole, at up to 80 bytes per point, and "
+                         "refused if they do not fit (default: three quarters of the free memory, if a file may need "
+                         "more)")
     running.add_argument("--threads", type=number_at_least(int, 0), default=0, metavar="N", help="number of threads; 0 uses "
                          "all processors")
     running.add_argument("-j", "--jobs", type=number_at_least(int, 1), default=1, metavar="N", help="process N files at a "
@@ -72,15 +74,16 @@ def add_reader_options(group):
     group.add_argument("--vertical-unit", choices=HEIGHT_UNITS, default=NOT_GIVEN, help="unit of z (default: as in the file)")
     group.add_argument("--coordinate-system", default=NOT_GIVEN, metavar="NAME", help="coordinate system of x and y, such as "
                        "EPSG:23031, for formats that store one (default: as in the file)")
-    group.add_argument("--elevation", dest="z_from", choices=Z_SOURCES, default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
     group.add_argument("--z-from", choices=Z_SOURCES, default=NOT_GIVEN, help="source of world z in sparse voxel files "
                        "(default: VerticalIndex)")
-    group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN, help="point that stays if a "
-                       "column has several, their mean, or one horizon per sheet (default: StrongestAmplitude)")
-    group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST", help='contents of the fields of a text file, such as '
+    group.add_argument("--duplicate-policy", choices=DUPLICATE_POLICIES, default=NOT_GIVEN, help="if a column has "
+                       "several points: the one to keep, their mean, or one horizon per sheet (default: "
+                       "StrongestAmplitude)")
+    group.add_argument("--columns", default=NOT_GIVEN, metavar="LIST", help="columns of a text file, such as "
                        '"X,Y,-,Z,My attribute" or "Inline,Crossline,Z" (default: from its header or its values)')
-    group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST", help='values that mean no value in a text or grid file, '
-                       'besides 1e30 and words such as nan (default: "-999.25 -99999 9999900")')
+    group.add_argument("--null-values", default=NOT_GIVEN, metavar="LIST", help="values that mark missing z in a "
+                       'text or grid file, in addition to 1e30 and words such as nan (default: "-999.25 -99999 '
+                       '9999900")')
     group.add_argument("--header-lines", type=number_at_least(int, 0), default=NOT_GIVEN, metavar="N", help="lines to skip "
                        "at the beginning of a text file (default: 0)")
     group.add_argument("--where", default=NOT_GIVEN, metavar="COLUMN=VALUE", help="read only the lines of a text file that have "
@@ -92,13 +95,15 @@ def add_reader_options(group):
     group.add_argument("--gridding", choices=GRIDDING, default=NOT_GIVEN, help="grid scattered picks with a smooth plate or "
                        "the nearest pick, on --column-step and --row-step")
     group.add_argument("--gridding-radius", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="R", help="leave "
-                       "columns empty that are farther than this from all picks (default: those outside the convex hull)")
+                       "columns empty if they are farther than this from every pick (default: those outside the "
+                       "convex hull)")
     group.add_argument("--gridding-smoothing", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="S", help="how "
-                       "much a plate may differ from the picks (default: 0.01)")
-    group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N", help="three points of the survey as "
-                       "inline, crossline, x and y; places files that have line numbers only")
-    group.add_argument("--origin", nargs=3, type=float, default=NOT_GIVEN, metavar=("X", "Y", "Z"), help="world position of "
-                       "the first voxel (default: 0 0 0); for picks, with z 0, position of a column (default: found)")
+                       "far a plate may depart from the picks (default: 0.01)")
+    group.add_argument("--corners", nargs=12, type=float, default=NOT_GIVEN, metavar="N", help="inline, crossline, x "
+                       "and y of three points of the survey, to locate files that have only line numbers")
+    group.add_argument("--origin", nargs=3, type=float, default=NOT_GIVEN, metavar=("X", "Y", "Z"), help="world "
+                       "position of the first voxel (default: 0 0 0), or for picks of any column, with z 0 (default: "
+                       "found)")
     group.add_argument("--column-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"), help="world vector from a "
                        "column to the next (default: 1 0; for picks, found)")
     group.add_argument("--row-step", nargs=2, type=float, default=NOT_GIVEN, metavar=("X", "Y"), help="world vector from a "
@@ -110,22 +115,23 @@ def add_cube_options(group):
                        "of a cube to mesh, strongest first (default: 20)")
     group.add_argument("--smallest-surface", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="skip "
                        "surfaces with fewer picks (default: a twentieth of the traces, 10 to 100)")
-    group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE", help="track only the horizons of this file of picks: "
-                       "some picks for each, by name")
-    group.add_argument("--limits", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="search between two known horizons, "
-                       "or on one side of one")
-    group.add_argument("--limit-side", choices=("Below", "Above"), default=NOT_GIVEN, help="side of a single limit to search "
-                       "(default: Below)")
+    group.add_argument("--picks", default=NOT_GIVEN, metavar="FILE", help="track only the horizons in this file, "
+                       "each from a few picks")
+    group.add_argument("--limits", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="search only between "
+                       "two known horizons, or on one side of a single one")
+    group.add_argument("--limit-side", choices=("Below", "Above"), default=NOT_GIVEN, help="with a single limit, the "
+                       "side to search (default: Below)")
     for lines in ("inlines", "crosslines"):
         group.add_argument("--" + lines, nargs=2, type=line_number, default=NOT_GIVEN, metavar=("FIRST", "LAST"),
                            help="range of %s to use (default: all)" % lines)
     group.add_argument("--polarity", choices=POLARITIES, default=NOT_GIVEN, help="sign of the amplitudes to track (default: "
                        "Both)")
-    group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN, help="how picks are joined to surfaces: most similar "
-                       "first, whole events, or connected components (default: BestFirst)")
+    group.add_argument("--joining", choices=JOININGS, default=NOT_GIVEN, help="how picks are joined into surfaces: "
+                       "most similar events first, or connected components (default: BestFirst)")
     group.add_argument("--cube", action=AddToList, values=Assignments(name + "=" for name in CUBE_PROPERTIES), default=NOT_GIVEN, metavar="LIST",
-                       help="other properties of the cube and of its extraction, by their names in the window, such as "
-                       "InlineByte=9,CrosslineByte=21 or SampleFormat=5, DelayPolicy=Nearest, SampleRange=0:200, KeepOthers=on")
+                       help="other properties of the cube and its extraction, by their names in ParaView, such as "
+                       "InlineByte=9,CrosslineByte=21 or SampleFormat=5, DelayPolicy=Nearest, SampleRange=0:200, "
+                       "KeepOthers=on")
     group.add_argument("--amplitude-percentile", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="P",
                        help="ignore reflections weaker than this percentage of samples (default: 40)")
 
@@ -138,26 +144,29 @@ def add_preparation_options(group):
     lines = group.add_mutually_exclusive_group()
     lines.add_argument("--fault-lines", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="cut along the fault "
                        "traces of these files, and remove points inside their fault polygons")
-    lines.add_argument("--fault-sticks", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="cut along surfaces "
-                       "through the fault sticks of these files, and write these surfaces; lines without the name of a fault "
-                       "have that of their file if there are several")
+    lines.add_argument("--fault-sticks", action=AddToList, default=NOT_GIVEN, metavar="FILES", help="cut along "
+                       "surfaces through the fault sticks of these files, and write these surfaces; of several "
+                       "files, unnamed faults are named after their file")
     group.add_argument("--fault-formats", action=AddToList, values=FAULT_FORMATS, default=[], metavar="LIST", help="also write "
-                       "the fault lines of each horizon: tables (dat, csv), GOCAD (pl) and GeoPackage (gpkg)")
-    group.add_argument("--cutoffs", action="store_true", default=NOT_GIVEN, help="find where horizons meet faults: tables of throws and "
-                       "of the layers that meet (csv), and cutoffs and fault polygons in --fault-formats (default: dat)")
-    group.add_argument("--fault-dip", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="D", help="dip of faults of --cutoffs "
-                       "and --sealed without sticks, in degrees (default: from the gap of picks)")
-    group.add_argument("--sealed", action="store_true", default=NOT_GIVEN, help="make closed bodies of the layers between faults: "
-                       "the model for GOCAD (ml), Gmsh (msh) and VTK (vtp), and tables (csv)")
-    group.add_argument("--fault-endings", default=NOT_GIVEN, metavar="TEXT", help='which fault ends at which in --sealed, as '
-                       '"F2 > F1; F3 > F1" (default: chosen, with a warning)')
-    group.add_argument("--fault-tips", choices=("Sticks", "Through"), default=NOT_GIVEN, help="whether faults of --sealed die out where "
-                       "their sticks end, or go on up to walls and other faults (default: Sticks)")
-    group.add_argument("--unconformities", action=AddToList, default=NOT_GIVEN, metavar="NAMES", help="horizons of --sealed that faults "
-                       "end at from below (default: none)")
-    group.add_argument("--walls", choices=("Box", "Picks"), default=NOT_GIVEN, help="whether walls of --sealed are a box, or along the "
-                       "outline of picks (default: Box)")
-    group.add_argument("--close-faults", action="store_true", help="close the mesh at these faults with triangles, which have "
+                       "the fault lines of each horizon: tables (dat, csv), GOCAD (pl) and GeoPackage (gpkg) (default: none)")
+    group.add_argument("--cutoffs", action="store_true", default=NOT_GIVEN, help="find where horizons meet faults, "
+                       "and write tables of throws and juxtaposed layers (csv), and cutoffs and fault polygons in "
+                       "--fault-formats (default: dat)")
+    group.add_argument("--fault-dip", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="D", help="dip of "
+                       "faults without sticks for --cutoffs and --sealed, in degrees (default: from the gap between "
+                       "picks)")
+    group.add_argument("--sealed", action="store_true", default=NOT_GIVEN, help="make closed bodies of the layers "
+                       "between faults, and write the model for GOCAD (ml), Gmsh (msh) and VTK (vtp), and tables "
+                       "(csv)")
+    group.add_argument("--fault-endings", default=NOT_GIVEN, metavar="TEXT", help="faults of --sealed that end at "
+                       'another fault, as "F2 > F1; F3 > F1" (default: chosen, with a warning)')
+    group.add_argument("--fault-tips", choices=("Sticks", "Through"), default=NOT_GIVEN, help="end faults of "
+                       "--sealed where their sticks end, or extend them to walls and other faults (default: Sticks)")
+    group.add_argument("--unconformities", action=AddToList, default=NOT_GIVEN, metavar="NAMES", help="horizons at "
+                       "which faults of --sealed end from below (default: none)")
+    group.add_argument("--walls", choices=("Box", "Picks"), default=NOT_GIVEN, help="walls of --sealed: a box, or "
+                       "along the outline of the picks (default: Box)")
+    group.add_argument("--close-faults", action="store_true", help="close the mesh at faults with triangles, marked "
                        "1 in the array Fault")
     group.add_argument("--fill-holes", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="fill holes of at "
                        "most N columns with smooth surfaces (default: none)")
@@ -171,15 +180,15 @@ def add_mesh_options(group):
                         "triangles per mesh, with the smallest error they allow")
     target.add_argument("--stages", action="store_true", help="use the stages of the thesis, from exterior boundary to "
                         "triangulation")
-    group.add_argument("--radius", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="K", help="longest step of an "
-                       "outline between two points, in columns; narrower breaks are bridged (default: from the points; 1 with "
-                       "--stages)")
+    group.add_argument("--radius", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="K", help="longest hop "
+                       "of an outline along each axis, in columns; narrower breaks are bridged (default: from the "
+                       "points; 1 with --stages)")
     group.add_argument("--growth-strategy", choices=GROWTH_STRATEGIES, default=NOT_GIVEN, help="how an outline "
                        "with a radius above 1 grows (default: Clockwise)")
     group.add_argument("--minimum-patch-size", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="leave out "
                        "patches with fewer points (default: 1)")
     group.add_argument("--smallest-hole-size", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="close "
-                       "holes of fewer columns (default: automatic; 1 with --stages)")
+                       "holes with fewer columns (default: automatic; 1 with --stages)")
     group.add_argument("--outline-tolerance", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
                        help="largest horizontal deviation of outlines, in columns (default: the error, at most 0.75 unless "
                        "--triangles is given; 0 with --stages)")
@@ -188,16 +197,17 @@ def add_mesh_options(group):
 
 
 def add_layer_options(group):
-    group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the horizons of "
-                       "a file, or of several files with one horizon each: cells (.vtu), one body per layer in formats of "
-                       "meshes, and a table (.csv)")
+    group.add_argument("--layers", action="store_true", default=NOT_GIVEN, help="make closed volumes between the "
+                       "horizons of a file, or of several files with one horizon each: cells (.vtu), one body per "
+                       "layer in the formats of meshes, and a table (.csv)")
     return (group.add_argument("--crossings", action=AddToList, values=CROSSINGS, metavar="LIST", default=NOT_GIVEN, help="policy "
                                "where horizons cross, or one for each layer from the top: %s (default: Mean)" % ", ".join(CROSSINGS)),
-            group.add_argument("--order", choices=("ByHeight", "AsGiven"), default=NOT_GIVEN, help="order of the horizons for "
-                               "--layers; AsGiven: as listed by --horizons or the files, uppermost first"),
-            group.add_argument("--missing", choices=("Void", "Interpolate", "Follow"), default=NOT_GIVEN, help="where a "
-                               "horizon has no points: no layers; holes and gaps at faults closed; absent horizons also "
-                               "follow a neighbour (default: Follow)"),
+            group.add_argument("--order", choices=("ByHeight", "AsGiven"), default=NOT_GIVEN, help="order of the "
+                               "horizons for --layers: by height, or as listed in --horizons or by the files, "
+                               "uppermost first"),
+            group.add_argument("--missing", choices=("Void", "Interpolate", "Follow"), default=NOT_GIVEN, help="where "
+                               "a horizon has no points: make no layers; close holes and gaps at faults; or also let "
+                               "absent horizons follow a neighbour (default: Follow)"),
             group.add_argument("--sublayers", action=AddToList, are_names=True, metavar="LIST", default=NOT_GIVEN, help="number of sublayers "
                                "of each layer, or one for each layer from the top (default: 1)"),
             group.add_argument("--tetrahedra", action="store_true", default=NOT_GIVEN, help="split the cells of layers into tetrahedra"))
@@ -206,7 +216,6 @@ def add_layer_options(group):
 def add_stage_options(group):
     group.add_argument("--keep-holes", action="store_true", default=NOT_GIVEN, help="outline holes as well, so that they "
                        "stay open in the mesh")
-    group.add_argument("--hole-boundaries", dest="keep_holes", action="store_true", default=NOT_GIVEN, help=argparse.SUPPRESS)  # of 0.2
     group.add_argument("--fewest-outline-points", action="store_true", default=NOT_GIVEN, help="use the fewest outline points "
                        "within the outline tolerance and the distance threshold")
     group.add_argument("--bound-deviation", action="store_true", default=NOT_GIVEN, help="keep dropped outline points within "
@@ -226,9 +235,9 @@ def add_stage_options(group):
 
 
 def add_error_options(group):
-    group.add_argument("--measure-error", action="store_true", help="measure the distance of each mesh from the full horizon, "
-                       "in both directions: fields of the table (lattice units), arrays of the meshes, and a .csv file for "
-                       "each input")
+    group.add_argument("--measure-error", action="store_true", help="measure the distance between each mesh and the "
+                       "full horizon, in both directions: columns of the table (lattice units), arrays of the "
+                       "meshes, and a .csv file for each input")
     group.add_argument("--distance-unit", choices=DISTANCE_UNITS, default=NOT_GIVEN, help="unit of the arrays; the "
                        ".csv file has both (default: Lattice)")
     group.add_argument("--samples-per-point", type=number_at_least(float, 0.01), default=NOT_GIVEN, metavar="N", help="number of "

@@ -51,24 +51,25 @@ def make_parser(prog=NAME, tell=None):
     """Returns the parser; its `stages` and `layers` are the options that need --stages and --layers."""
     parser = Parser(
         tell, prog=prog, add_help=False, formatter_class=screens.Formatter, usage="%(prog)s [options] INPUT...",
-        description=screens.SUMMARY + " Reads picks of OpendTect, Petrel, OpenWorks, IESX and others, and grids as IRAP, "
-        "ZMAP+, CPS-3, EarthVision, Surfer, GXF, GeoTIFF and others; formats are recognized by their content. Writes a mesh "
-        "per horizon and a picture per file, and prints how each file was read, and a table. Existing files are replaced.",
-        epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv for "
-        "x.vsm or x.dat; x_dat.png if there is also x.map; a_x.png for a/x.vsm and b_x.png for b/x.vsm. The results of a file "
-        "appear all together or not at all. Distances are in lattice units: 1 is one column horizontally and one vertical "
-        "index vertically. Heights (E, T of --despike and --cut-faults) are in vertical indices, or have a unit: 2ms, 0.002s, "
-        "5m, 16ft. Lists have commas, or are several words, which end before an option, before -- or before a file: "
-        "--formats ts,stl a.dat and --formats ts stl a.dat. Repeated options add to a list. The exit code is 0 on success, 1 if a file or the report "
-        "fails, and 2 if the command line is wrong; if a file fails, the others are still processed. It is 130 after Ctrl-C, "
-        "and 143 after the signal TERM.")
+        description=screens.SUMMARY + " Reads picks of OpendTect, Petrel, OpenWorks, IESX and others, and grids as "
+        "IRAP, ZMAP+, CPS-3, EarthVision, Surfer, GXF, GeoTIFF and others; formats are recognised by their content. "
+        "Writes a mesh for each horizon and a picture for each file, and prints how each file was read, and a table. "
+        "Existing files are replaced.",
+        epilog="Results are named after their file and horizon: x_horizon_1.vtp or x_Top.vtp, x.png and x_error.csv "
+        "for x.vsm or x.dat; x_dat.png if there is also x.map; a_x.png for a/x.vsm and b_x.png for b/x.vsm. The "
+        "results of a file appear all together or not at all. Distances are in lattice units: 1 is one column "
+        "horizontally and one vertical index vertically. Heights (E, and T of --despike and --cut-faults) are in "
+        "vertical indices unless they have a unit: 2ms, 0.002s, 5m, 16ft. Lists are separated by commas, or are "
+        "several words up to the next option, -- or file: --formats ts,stl a.dat and --formats ts stl a.dat. "
+        "Repeated options add to the list. The exit code is 0 on success, 1 if a file or the report fails (other "
+        "files are still processed), 2 if the command line is wrong, 130 after Ctrl-C, and 143 after the signal TERM.")
     parser.add_argument("inputs", nargs="+", metavar="INPUT", type=path, help="files of horizons or seismic cubes, or "
                         "folders of them")
     _add_printing_options(parser)
     options.add_result_options(parser.add_argument_group("results"))
     options.add_reader_options(parser.add_argument_group("reading"))
     options.add_cube_options(parser.add_argument_group("seismic cubes"))
-    options.add_preparation_options(parser.add_argument_group("preparation", "horizons are then read whole"))
+    options.add_preparation_options(parser.add_argument_group("preparation", "these options read horizons whole"))
     options.add_mesh_options(parser.add_argument_group("meshes"))
     parser.layers = options.add_layer_options(parser.add_argument_group("volumes"))
     parser.stages = parser.add_argument_group("stages of the thesis", "with --stages")
@@ -86,5 +87,5 @@ def _add_printing_options(parser):
             (("--version",), lambda _parser, _: VERSION_LINE, "print the version")):
         parser.add_argument(*names, action=_Print, nargs=0, make=make, help=text)
     parser.add_argument("--completion", action=_Print, make=lambda parser, shell: completion.SHELLS[shell](parser, NAME),
-                        choices=tuple(completion.SHELLS), metavar="SHELL", help="print the completion of this command for "
-                        "bash or zsh; an installed command has both")
+                        choices=tuple(completion.SHELLS), metavar="SHELL", help="print the completion script for "
+                        "bash or zsh; installed commands have both")

@@ -277,7 +277,7 @@ def read_source(source, horizons=None):
     found = source.read_all(horizons) if isinstance(source, SparseSource) else source.read(horizons)
     found = [(name, points) for name, points in found if len(points["places"])]
     if not found:
-        raise HorizonError("%s: no points, expected those of a horizon at least" % source.path)
+        raise HorizonError("%s: no points, expected those of a horizon" % source.path)
     return found, time.monotonic() - start
 
 

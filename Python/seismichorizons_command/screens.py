@@ -8,18 +8,18 @@ import re
 
 WIDTH = 79
 TEXT_COLUMN = 30  # of the effect of an option on the first screen
-SUMMARY = ("Makes a mesh of few triangles, within a largest error, of each horizon in files of picks, grids, surfaces or sparse "
-           "voxels, and of the strongest horizons in seismic cubes (SEG-Y).")
+SUMMARY = ("Meshes the horizons in files of picks, grids, surfaces or sparse voxels, and the strongest ones in "
+           "seismic cubes (SEG-Y), with few triangles within a largest error.")
 USUAL = ("output_folder", "formats", "horizons", "largest_error", "triangles", "despike", "cut_faults", "fill_holes", "layers",
          "measure_error", "report", "jobs", "quiet")
 EXAMPLES = (
-    ("-o results surveys/*.vsm", "the error is chosen"),
-    ("--largest-error 2ms picks.dat", "the error is given"),
+    ("-o results surveys/*.vsm", "error from the noise"),
+    ("--largest-error 2ms picks.dat", "error of 2 ms"),
     ("--formats ts,stl picks.dat", "GOCAD and STL"),
     ("--picks tops.dat survey.sgy", "horizons of a cube"),
     ("--despike 6 --cut-faults 8ms picks.dat", "open along faults"),
     ("--layers top.xyz base.xyz", "closed volumes"),
-    ("--report run.html picks.dat", "a page with pictures"))
+    ("--report run.html picks.dat", "HTML with pictures"))
 
 
 class Formatter(argparse.ArgumentDefaultsHelpFormatter):

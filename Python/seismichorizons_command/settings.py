@@ -99,7 +99,7 @@ def make_settings(options):
     if hasattr(options, "cutoffs"):
         settings.cutoffs = given(options, Dip="fault_dip")
     if hasattr(options, "sealed"):
-        settings.sealed = {**_error(options), **given(options, "Unconformities", Dip="fault_dip", Endings="fault_endings", Tips="fault_tips", Outline="walls")}
+        settings.sealed = {**_error(options), **given(options, Dip="fault_dip", Endings="fault_endings", Tips="fault_tips", Outline="walls")}
         if hasattr(options, "unconformities"):
             settings.sealed["Unconformities"] = "; ".join(options.unconformities)
     settings.filled = {"LargestHoleSize": options.fill_holes} if hasattr(options, "fill_holes") else None

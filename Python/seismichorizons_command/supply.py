@@ -79,7 +79,7 @@ class Supply:
         self._places = reading.choose(source.names, horizons, self._path)
         self.names = [source.names[place] for place in self._places]
         if not self.names:
-            raise HorizonError("%s: no points, expected those of a horizon at least" % self._path)
+            raise HorizonError("%s: no points, expected those of a horizon" % self._path)
         self.sizes = [source.sizes[place] for place in self._places]
         self._groups = memory.make_groups(self.sizes, self._budget)
         self._source = source

@@ -113,8 +113,8 @@ def _require_height_field(mesh, sign, what):
     found = _first_wall(corners) or _first_overlap(corners)
     if found:
         x, y, *both = found
-        raise HorizonError("%s: z %.7g and %.7g at x %.10g, y %.10g, expected one z at each place: a closed body, a fold and a "
-                           "wall are no horizon" % (what, *(sign * z for z in both), x, y))
+        raise HorizonError("%s: z %.7g and %.7g at x %.10g, y %.10g, expected one z at each position: a closed body, a fold "
+                           "or a wall is not a horizon" % (what, *(sign * z for z in both), x, y))
 
 
 def _tolerances(corners):

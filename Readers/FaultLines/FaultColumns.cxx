@@ -4,6 +4,7 @@
 #include "FaultColumns.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Survey/Units.h"
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
@@ -213,6 +214,16 @@ bool IsElevationAt(const TextLayout& header, int column)
     IsElevation(header.Columns[std::size_t(column)].Name);
 }
 
+/// The unit and domain of z by its name.
+void DescribeZ(std::string_view name, SurveyDescription& survey)
+{
+  survey.VerticalDomain = survey.VerticalDomain.empty() ? DomainOfName(name) : survey.VerticalDomain;
+  if (survey.VerticalUnit.empty())
+  {
+    SetVerticalUnit(survey, UnitOfName(name));
+  }
+}
+
 /// Names above the numbers, if these say where the points are. Throws InputError unless there are as many fields, but for
 /// empty ones at the end: else names would be of other fields. "x y z" alone says no more than the values do.
 std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, const std::vector<Fields>& rows)
@@ -230,8 +241,7 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
   }
   if (!HasPlace(roles))
   {
-    throw ErrorAt(
-      header.HeaderLines, "names of columns, expected x, y and z among them; Columns says what the fields are");
+    throw ErrorAt(header.HeaderLines, "column names without x, y and z, expected all three: set Columns");
   }
   const bool arePlaces = roles == std::vector<FaultRole>{ FaultRole::X, FaultRole::Y, FaultRole::Z };
   if (arePlaces && rows.front().size() > roles.size() && !IsElevationAt(header, 2))
@@ -248,7 +258,7 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
     {
       throw ErrorAt(header.HeaderLines + 1 + (&row - rows.data()),
         std::to_string(row.size()) + " fields below " + std::to_string(roles.size()) +
-          " names of columns, expected as many; Columns says what the fields are");
+          " column names, expected one field for each: set Columns");
     }
   }
   return roles;
@@ -334,7 +344,9 @@ FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& op
   else if (const auto named = RolesOfNames(header, rows))
   {
     columns.Roles = *named;
-    columns.IsUpright = IsElevationAt(header, columns.Find(FaultRole::Z));
+    const int z = columns.Find(FaultRole::Z);
+    columns.IsUpright = IsElevationAt(header, z);
+    DescribeZ(header.Columns[std::size_t(z)].Name, columns.Survey);
     columns.SaysFaults = std::any_of(header.Columns.begin(), header.Columns.end(),
       [](const TextColumn& column)
       {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads fault traces, polygons and sticks: GOCAD PLine, ZMAP+ points and polygons, CPS-3 lines, Charisma sticks, and
-// lines of x y z (Documentation/FaultLinesReader.md). The format is recognised by content. Errors are InputError, with
+// lines of x y z (Documentation/FaultLines.md). The format is recognised by content. Errors are InputError, with
 // the number of the line: "line 17: ".
 
 #ifndef SeismicHorizonsFaultLineFile_h

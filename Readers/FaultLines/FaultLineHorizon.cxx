@@ -3,6 +3,7 @@
 
 #include "FaultLineHorizon.h"
 
+#include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Survey/SurveyFields.h"
 #include "Common/Text/FileErrors.h"
@@ -141,6 +142,11 @@ FaultLineData LoadFaultLines(const std::vector<std::string>& paths, const FaultT
     {
       all.Survey = file.Survey;
       all.IsUpright = isUp;
+    }
+    const std::string &first = all.Survey.VerticalUnit, &own = file.Survey.VerticalUnit;
+    if (!first.empty() && !own.empty() && first != own)
+    {
+      throw InputError(path + ": z in " + own + ", expected " + first + " as in " + paths.front());
     }
     Append(file, isUp, all);
   }

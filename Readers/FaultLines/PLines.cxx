@@ -7,6 +7,7 @@
 #include "FaultLineFormats.h"
 
 #include "Common/Horizon/Types.h"
+#include "Common/Survey/Units.h"
 #include "Readers/GOCADTSurf/VertexIds.h"
 
 #include <array>
@@ -97,6 +98,12 @@ private:
         this->TakeName(Trim(text.substr(text.find('{') + 1)));
       }
       this->IsInBlock = text.back() != '}';
+    }
+    else if (this->Keyword == "axis_unit" && words.size() > 3)
+    {
+      const std::string_view unit = words[3];
+      const bool isQuoted = unit.size() > 1 && unit.front() == '"' && unit.back() == '"';
+      SetVerticalUnit(this->File.Survey, KnownUnit(isQuoted ? unit.substr(1, unit.size() - 2) : unit));
     }
     else if (this->Keyword == "zpositive")
     {

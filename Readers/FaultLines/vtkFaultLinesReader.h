@@ -6,7 +6,7 @@
  *
  * Reads tables of points, as those of OpendTect, Kingdom, DUG and spreadsheets, GOCAD PLine (.pl), ZMAP+ points and
  * polygons, CPS-3 lines (.flt), IRAP and RMS polygons (.pol), sticks of Charisma and sticks and boundaries of IESX,
- * recognised by content (Documentation/FaultLinesReader.md).
+ * recognised by content (Documentation/FaultLines.md).
  *
  * The output is a vtkPolyData with a polyline per line of the files, in double precision. World z is that of the file,
  * negated if it increases downwards. Cell data, if the file has them: FaultName (text), the name of the fault, and
@@ -44,35 +44,33 @@ public:
 
   ///@{
   /**
-   * The files, plain or compressed by gzip. The lines of all are read; those without a name of a fault get the name of
-   * their file if there are several. Range: paths in UTF-8. Default: none.
+   * The files, plain or gzipped; all are read. Of several files, unnamed faults are named after their file. Range:
+   * paths in UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * The direction of world z in which z of sticks increases; it must match the horizon's reader. GOCAD files state
-   * their own. Automatic: Up if no z is positive, as Petrel writes depths; else Down. Default: Automatic.
+   * Direction of increasing z, as for the horizon; GOCAD files state theirs. Automatic: Up if no z is positive, else
+   * Down. Default: Automatic.
    */
   vtkHorizonChoice3Macro(VerticalDirection, VerticalSense, Down, Up, Automatic);
 
   /**
-   * What the columns of a table hold: X, Y, Z, Fault, Stick, Node, or - or _ to skip one. Empty: found from the
-   * header or the values. See "Columns" in FaultLinesReader.md. Range: names, separated by commas, or by blanks if there
-   * is no comma. Default: empty.
+   * Contents of the columns: X, Y, Z, Fault, Stick, Node; - or _ skips one. Empty: from header or values. See "Columns"
+   * in FaultLines.md. Range: names, separated by commas, or blanks without commas. Default: empty.
    */
   vtkHorizonTextMacro(Columns);
 
   /**
-   * Numbers and words that mean no z; such points are left out. Range: numbers and words, separated by blanks or
-   * commas. Default: empty.
+   * Numbers and words that mean no z; such points are skipped. Range: numbers and words, separated by blanks or commas.
+   * Default: empty.
    */
   vtkHorizonTextMacro(NullValues);
 
   ///@{
   /**
-   * The lines to skip at the beginning of the file; a recognised header may follow. 0: found automatically. Range: at
-   * least 0. Default: 0.
+   * Lines to skip at the start; a recognised header may follow. 0: automatic. Range: at least 0. Default: 0.
    */
   vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
   vtkGetMacro(HeaderLines, int);

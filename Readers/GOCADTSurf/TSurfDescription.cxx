@@ -3,6 +3,7 @@
 
 #include "TSurfBuilder.h"
 
+#include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
 
 #include <limits>
@@ -54,13 +55,6 @@ std::optional<std::array<double, 3>> ReadColour(std::string_view text)
   return colour;
 }
 
-/// Words such as "none" are no units.
-std::string UnitOf(std::string_view text)
-{
-  const std::string unit = ToLower(text);
-  return unit == "none" || unit == "unitless" || unit == "unknown" ? std::string() : std::string(text);
-}
-
 /// Empty unless the unit is a length or time.
 std::string DomainOf(const std::string& text)
 {
@@ -107,9 +101,9 @@ void TSurfBuilder::TakeOfCoordinates(std::string_view keyword, LineTokens& line,
   }
   else if (keyword == "AXIS_UNIT")
   {
-    this->Surface.Survey.HorizontalUnit = UnitOf(line.NextQuoted());
+    this->Surface.Survey.HorizontalUnit = KnownUnit(line.NextQuoted());
     line.NextQuoted(); // x and y have the same unit.
-    this->Surface.Survey.VerticalUnit = UnitOf(line.NextQuoted());
+    this->Surface.Survey.VerticalUnit = KnownUnit(line.NextQuoted());
     this->Surface.Survey.VerticalDomain = DomainOf(this->Surface.Survey.VerticalUnit);
   }
   else if (keyword == "ZPOSITIVE")

@@ -13,7 +13,7 @@
 
 namespace SeismicHorizons
 {
-/// Arrays are described in Documentation/GOCADTSurfReader.md. If z of the file increases downwards, triangles are
+/// Arrays are described in Documentation/GOCADTSurf.md. If z of the file increases downwards, triangles are
 /// reversed with it and keep their orientation.
 Horizon MakeTSurfHorizon(TSurf surface);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads objects of type TSurf from GOCAD's text format (Documentation/GOCADTSurfReader.md), and skips others.
+// Reads objects of type TSurf from GOCAD's text format (Documentation/GOCADTSurf.md), and skips others.
 //
 // A few megabytes of the file are in memory besides the result; time is linear in its size. Numbers are read
 // independently of the locale and rounded correctly. Errors are InputError, with the number of the line: "line 17: ".

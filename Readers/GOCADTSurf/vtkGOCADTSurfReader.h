@@ -4,7 +4,7 @@
  * @class   vtkGOCADTSurfReader
  * @brief   reads triangulated surfaces from a GOCAD file (.ts)
  *
- * Reads the objects of type TSurf in a text file and skips others (Documentation/GOCADTSurfReader.md).
+ * Reads the objects of type TSurf in a text file and skips others (Documentation/GOCADTSurf.md).
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected surface, in the order of
  * the file, under its name. A surface without a name is "TSurf <n>", where n counts surfaces from 1; repeated names get
@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The file, plain or gzipped; several files are time steps. See "Series of files" in Window.md. Range: a path in
+   * UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}

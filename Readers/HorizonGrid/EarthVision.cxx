@@ -74,7 +74,7 @@ SurveyLattice FitGridLattice(const std::vector<GridPoint>& points, const std::ar
   if (!map)
   {
     throw InputError(
-      std::to_string(points.size()) + " points in one line of nodes, expected at least three that are not");
+      std::to_string(points.size()) + " points along one line of nodes, expected some off this line");
   }
   SurveyLattice lattice;
   lattice.Columns = columns;

@@ -25,7 +25,7 @@ double AxisStep(int count, const std::array<double, 2>& range, const std::string
   if (!(range[0] < range[1]))
   {
     throw InputError(axis + " from " + ShortestText(range[0]) + " to " + ShortestText(range[1]) + " for " +
-      std::to_string(count) + " nodes, expected it to rise");
+      std::to_string(count) + " nodes, expected increasing values");
   }
   return (range[1] - range[0]) / (count - 1);
 }
@@ -97,7 +97,7 @@ SurveyLattice TurnedLattice(
   if (steps[0] == 0.0 || steps[1] == 0.0 || !last.allFinite())
   {
     throw InputError("steps of " + ShortestText(steps[0]) + " and " + ShortestText(steps[1]) +
-      ", expected others than 0, to nodes at finite places");
+      ", expected steps other than 0, and finite coordinates");
   }
   return lattice;
 }

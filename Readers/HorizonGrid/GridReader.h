@@ -22,7 +22,7 @@ constexpr std::size_t GridBufferSize = 4 * 1024 * 1024;
 /// Recognises content, as formats share file extensions. Leaves the stream where it was.
 bool IsGrid(std::istream& stream);
 
-/// Reads a format of Documentation/HorizonGridFormats.md from a seekable stream. Throws InputError if the format is unknown or violated, with the position
+/// Reads a format of Documentation/HorizonGrid.md from a seekable stream. Throws InputError if the format is unknown or violated, with the position
 /// ("line 17: ..." or "byte 100: ..."), the text found and the text expected. Words among `nulls` are no value.
 HorizonGrid ReadHorizonGrid(std::istream& stream, const Monitor& monitor = Monitor(),
   std::size_t bufferSize = GridBufferSize, const NullValues& nulls = NullValues());

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonGridReader
- * @brief   reads a horizon from a grid file of a gridding program
+ * @brief   reads a horizon from a grid file
  *
  * Reads grids of IRAP (classic ASCII and binary), STORM, ZMAP+, CPS-3, EarthVision, Surfer 6 and 7, GXF and Esri
- * (ASCII), recognised by content, never by extension (Documentation/HorizonGridFormats.md). Rotation, flipped axes and
+ * (ASCII), recognised by content, never by extension (Documentation/HorizonGrid.md). Rotation, flipped axes and
  * node positions are kept; nodes without a value are left out and counted in DroppedNulls.
  *
  * The horizon is named as in the file, else after the file. Each process reads the whole file. The peak of memory is 24
@@ -34,15 +34,15 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The file, plain or gzipped; several files are time steps. See "Series of files" in Window.md. Range: a path in
+   * UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
 
   /**
-   * Numbers and words that mean no value, besides the usual words and the null value of the format or file. Unit: that
-   * of z. Range: numbers and words, separated by blanks or commas. Default: empty.
+   * Numbers and words that mean no value, besides usual words and the null value of the format or file. Unit: that of
+   * z. Range: numbers and words, separated by blanks or commas. Default: empty.
    */
   vtkHorizonTextMacro(NullValues);
 

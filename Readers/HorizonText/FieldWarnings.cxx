@@ -142,7 +142,7 @@ void RefuseOtherPlaces(const TextLines& sample, const TextLayout& layout)
       if (areApart && !arePlaces && FollowLines(sample, layout, lines, places))
       {
         throw InputError("columns " + Two(lines) + " look like line numbers, and columns " + Two(places) +
-          " like their places, expected x and y next to the line numbers" + Remedy);
+          " like their coordinates, expected x and y next to the line numbers" + Remedy);
       }
     }
   }
@@ -166,7 +166,7 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
     if (layout.Columns[column].Role == FieldRole::Attribute && IsCounter(heights) && !IsCounter(other))
     {
       throw InputError("column " + std::to_string(z + 1) +
-        (IsConstant(heights) ? " is the same in all lines" : " counts lines") + ", expected Z" + Remedy);
+        (IsConstant(heights) ? " is the same in all lines" : " numbers the lines") + ", expected Z" + Remedy);
     }
   }
   const bool hasMore = layout.Columns.size() >= 4;
@@ -177,7 +177,7 @@ void RefuseCounters(const TextLines& sample, const TextLayout& layout)
     const std::vector<double> next = NumbersOf(sample, layout, 1);
     if (IsCounter(numbers) && !IsConstant(numbers) && !IsCounter(next))
     {
-      throw InputError("column 1 counts lines, expected coordinates or line numbers" + std::string(Remedy));
+      throw InputError("column 1 numbers the lines, expected coordinates or line numbers" + std::string(Remedy));
     }
   }
 }
@@ -208,9 +208,10 @@ void RefuseSmallPlaces(const TextLines& sample, const TextLayout& layout)
     if (!numbers.empty() && (*numbers.begin() == 0 || areSteps))
     {
       throw InputError("column " + std::to_string(column + 1) + " with whole numbers " +
-        (areSteps ? "in steps of " + std::to_string(step) : std::string("from 0")) +
-        ", expected to know whether columns " + Two(std::size_t(lines)) +
-        " are line numbers or places: set Columns to Inline, Crossline, Z or to X, Y, Z");
+        (areSteps ? "in steps of " + std::to_string(step) : std::string("from 0")) + ", so that columns " +
+        Two(std::size_t(lines)) +
+        " may be line numbers or coordinates, expected one of these: set Columns to Inline, Crossline, Z or to X, Y, "
+        "Z");
     }
   }
 }

@@ -206,8 +206,8 @@ private:
         this->Table.Names.push_back(ToUtf8(name));
         if (this->Table.Names.back() != name && !std::exchange(this->IsLatin1, true))
         {
-          this->Table.Warnings.push_back("names of horizons that are not in UTF-8, taken for Latin-1, such as " +
-            Quote(this->Table.Names.back()) + ": convert the file, as with iconv, where they are in another encoding");
+          this->Table.Warnings.push_back("horizon names are not in UTF-8 and are read as Latin-1, such as " +
+            Quote(this->Table.Names.back()) + ": if they are in another encoding, convert the file, as with iconv");
         }
       }
       numbers.push_back(place->second);
@@ -249,8 +249,8 @@ private:
     }
     if (names.size() > 1 && horizon.size() > few && 3 * changes > horizon.size())
     {
-      this->Table.Warnings.push_back("names of horizons that change from line to line, such as " + Quote(names[0]) +
-        " and " + Quote(names[1]) + ": if these are not names of horizons, set Columns with - for them");
+      this->Table.Warnings.push_back("horizon names change from line to line, such as " + Quote(names[0]) +
+        " and " + Quote(names[1]) + ": if these are not horizon names, set Columns with - for them");
     }
   }
 
@@ -331,7 +331,7 @@ std::string ReadBeginning(std::istream& stream)
   }
   if (text.find('\n') == std::string::npos && text.find('\r') != std::string::npos)
   {
-    throw InputError("lines that end with carriage returns alone, expected line feeds: convert them, as with mac2unix");
+    throw InputError("lines that end with carriage returns only, expected line feeds: convert them, as with mac2unix");
   }
   const std::size_t zero = text.find('\0');
   if (zero != std::string::npos)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads picks from text files; Documentation/HorizonTextReader.md describes formats and messages.
+// Reads picks from text files; Documentation/HorizonText.md describes formats and messages.
 //
 // A few megabytes of the file are in memory at a time, and their blocks are parsed in parallel. Numbers are read
 // independently of the locale and rounded correctly. Errors are InputError, with the number of the line: "line 17: ".

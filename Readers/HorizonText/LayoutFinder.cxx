@@ -144,7 +144,7 @@ void RefuseCountLine(const TextLines& lines, const TextLayout& layout, const Tex
     if (picks == ReadPositiveInteger(SplitFields(sample.front(), FieldSeparator::Blanks)[2]))
     {
       throw ErrorAt(layout.HeaderLines + 1,
-        Quote(sample.front()) + " seems to count what follows, expected a pick: skip it by HeaderLines");
+        Quote(sample.front()) + " seems to be the number of picks below, expected a pick: skip it with HeaderLines");
     }
   }
 }
@@ -189,8 +189,8 @@ std::string DoubtOfNames(const TextLayout& layout, const std::vector<TextColumn>
 {
   const auto isZ = [](const TextColumn& name) { return name.Role == FieldRole::Z; };
   const bool areNames = layout.Separator != FieldSeparator::Blanks || std::any_of(names.begin(), names.end(), isZ);
-  const std::string warning = "columns " + ListNames(names) + " taken in order as " + ListNames(layout.Columns) +
-    ", as their names do not say the place: set Columns if this is wrong";
+  const std::string warning = "columns " + ListNames(names) + " are read in order as " + ListNames(layout.Columns) +
+    ", since no name identifies the coordinates: set Columns if this is wrong";
   return areNames && names.size() == layout.Columns.size() ? warning : "";
 }
 

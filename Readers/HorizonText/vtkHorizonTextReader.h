@@ -8,7 +8,7 @@
  * name of the horizon. Files have no header, a line of names, or many lines of header; fields are separated by blanks,
  * tabs, commas or semicolons. Formats of OpendTect, IESX (GeoQuest), Charisma, OpenWorks, EarthVision (scattered data),
  * Petrel (points with attributes) and RMS (attributes) are recognised by content, unnamed columns by their values
- * (Documentation/HorizonTextReader.md). If that fails, set Columns.
+ * (Documentation/HorizonText.md). If that fails, set Columns.
  *
  * The file is read once, or twice if it has several horizons and their list is requested; each process reads the whole
  * file. The peak of memory is 8 bytes per number of a pick, plus 16 bytes per pick.
@@ -37,8 +37,8 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The file, plain or gzipped; several files are time steps. See "Series of files" in Window.md. Range: a path in
+   * UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
@@ -52,31 +52,29 @@ public:
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   /**
-   * What the columns hold: X, Y, Z, Inline, Crossline, Name (of the horizon), the name of an attribute, or - or _ to
-   * skip one. Empty: found from the header or the values. See "Columns" in HorizonTextReader.md. Range: names,
-   * separated by commas, or by blanks if there is no comma. Default: empty.
+   * Contents of the columns: X, Y, Z, Inline, Crossline, Name (of the horizon), or an attribute; - or _ skips one.
+   * Empty: from header or values. See "Columns" in HorizonText.md. Range: names, separated by commas, or blanks without
+   * commas. Default: empty.
    */
   vtkHorizonTextMacro(Columns);
 
   /**
-   * Numbers and words that mean no value, besides the usual ones. Points without z are left out and counted in the
-   * field data DroppedNulls. See "No value" in HorizonTextReader.md. Range: numbers and words, separated by blanks or
-   * commas. Default: -999.25 -99999 9999900.
+   * Numbers and words that mean no value, besides the usual ones. Points without z are skipped. See "No value" in
+   * HorizonText.md. Range: numbers and words, separated by blanks or commas. Default: -999.25 -99999 9999900.
    */
   vtkHorizonTextMacro(NullValues);
 
   ///@{
   /**
-   * The lines to skip at the beginning of the file; a recognised header may follow. 0: found automatically. Range: at
-   * least 0. Default: 0.
+   * Lines to skip at the start; a recognised header may follow. 0: automatic. Range: at least 0. Default: 0.
    */
   vtkSetClampMacro(HeaderLines, int, 0, VTK_INT_MAX);
   vtkGetMacro(HeaderLines, int);
   ///@}
 
   /**
-   * The lines to read, as COLUMN=VALUE by the name of a column, where a file has lines of several kinds. Other lines
-   * are left out, and counted in the description. Empty: all lines. Range: a name, =, and a value. Default: empty.
+   * Reads only lines with this value in a column, as COLUMN=VALUE. Empty: all lines. Range: a name, =, and a value.
+   * Default: empty.
    */
   vtkHorizonTextMacro(Where);
 

@@ -225,8 +225,8 @@ void RefuseGathers(const TraceTable& table)
       std::ostringstream text;
       text << "offset " << offsets[first] << " of trace " << first + 1 << " and " << offsets[trace] << " of trace "
            << trace + 1
-           << " (byte 37), as before stacking; expected one trace for each inline and crossline. If that "
-              "is what it has, set InlineByte and CrosslineByte";
+           << " (byte 37), as in pre-stack data; expected one trace for each inline and crossline. If the "
+              "file is post-stack, set InlineByte and CrosslineByte";
       throw InputError(text.str());
     }
   }
@@ -371,14 +371,14 @@ void RefuseLines(const TraceTable& table, const std::optional<FieldPair>& other)
     {
       text << (text.str().find(':') == std::string::npos ? ": bytes " : ", bytes ") << pair.First << " and "
            << pair.Second << " span " << figures.Slots(0) << " x " << figures.Slots(1)
-           << (figures.Density() >= LeastDensity && figures.CountRepeated() > 0 ? " with several traces at one place"
+           << (figures.Density() >= LeastDensity && figures.CountRepeated() > 0 ? " with several traces at one position"
                                                                                 : "")
-           << (IsPlacePair(pair) && figures.Largest() > LargestFieldNumber ? " with numbers above 99999, as of x and y"
+           << (IsPlacePair(pair) && figures.Largest() > LargestFieldNumber ? " with numbers above 99999, as in coordinates"
                                                                            : "");
     }
   }
-  text << "; expected one trace for each inline and crossline, and at least a tenth of the grid. Where several traces "
-          "are meant to be at one place, set DuplicatePolicy. "
+  text << "; expected one trace for each inline and crossline, and at least a tenth of the grid. To allow several "
+          "traces at one position, set DuplicatePolicy. "
        << OtherLinesText(other);
   throw InputError(text.str());
 }

@@ -163,13 +163,13 @@ void PlaceAlongLine(SEGYCube& cube, const LineNumbers& lines, const FieldPair& g
     cube.Places = line.Complete();
     if (cube.PlaceFields.First == NoField)
     {
-      cube.Warnings.push_back("the second output has the traces of the line where they are");
+      cube.Warnings.push_back("the second output has the traces of the line at their true positions");
     }
     if (line.Strays > 0)
     {
       std::ostringstream text;
-      text << line.Strays << " traces far from both neighbours by x and y (bytes " << fields.First << " and "
-           << fields.Second << "): put between them";
+      text << line.Strays << " traces far from both neighbours in x and y (bytes " << fields.First << " and "
+           << fields.Second << "): moved between them";
       cube.Warnings.push_back(text.str());
     }
     return;

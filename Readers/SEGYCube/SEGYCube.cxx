@@ -125,8 +125,8 @@ FieldPair FindLines(SEGYCube& cube, TraceTable& table, const SEGYOptions& option
   if (IsPlacePair(*found))
   {
     std::ostringstream text;
-    text << "line numbers at bytes " << found->First << " and " << found->Second
-         << ", where x and y are by the standard. " << OtherLinesText(SuggestLines(cube.Name, cube.Header));
+    text << "line numbers at bytes " << found->First << " and " << found->Second << ", where the standard has x and y. "
+         << OtherLinesText(SuggestLines(cube.Name, cube.Header));
     cube.Warnings.push_back(text.str());
   }
   return *found;
@@ -136,7 +136,7 @@ double FindInterval(const SEGYHeader& header, double given)
 {
   if (given == 0.0 && header.Interval == 0.0)
   {
-    throw InputError("0 as sample interval, in the header (byte 3217) and in the first trace (byte 117), expected one; "
+    throw InputError("sample interval 0 in the header (byte 3217) and in the first trace (byte 117), expected more: "
                      "set VerticalStep");
   }
   return given > 0.0 ? given : header.Interval;
@@ -146,11 +146,11 @@ void WarnOfDuplicates(SEGYCube& cube, DuplicateRule rule)
 {
   if (cube.DuplicateTraces > 0)
   {
-    const char* const what = rule == DuplicateRule::Mean ? "their mean is taken"
-      : rule == DuplicateRule::Last                      ? "the last of each is taken"
-      : rule == DuplicateRule::First                     ? "the first of each is taken"
-                                                         : "these are dead";
-    cube.Warnings.push_back(std::to_string(cube.DuplicateTraces) + " traces at places of others: " + what);
+    const char* const what = rule == DuplicateRule::Mean ? "their mean is used"
+      : rule == DuplicateRule::Last                      ? "the last of each is used"
+      : rule == DuplicateRule::First                     ? "the first of each is used"
+                                                         : "dead ones are not used";
+    cube.Warnings.push_back(std::to_string(cube.DuplicateTraces) + " duplicate traces: " + what);
   }
 }
 
@@ -229,7 +229,7 @@ std::string FindHorizontalUnit(SEGYCube& cube, const TraceTable& table)
     return hasPlaces ? cube.Header.LengthUnit : "";
   }
   cube.Warnings.push_back("x and y in " + std::string(names[unit]) + " (byte 89 is " + std::to_string(code) +
-    "), expected a length: they are taken as they are; where they are a length, set HorizontalUnit");
+    "), expected a length: they are used unchanged; if they are lengths, set HorizontalUnit");
   return names[unit];
 }
 
@@ -272,7 +272,7 @@ std::string DescribeLines(const SEGYCube& cube)
        << " traces missing, " << cube.DeadTraces << " dead";
   if (cube.DuplicateTraces > 0)
   {
-    text << ", " << cube.DuplicateTraces << " at places of others";
+    text << ", " << cube.DuplicateTraces << " duplicate";
   }
   if (cube.Fillers > 0)
   {
@@ -309,7 +309,7 @@ void CheckSEGYOptions(const SEGYOptions& options)
   CheckPair("XByte", "YByte", options.PlaceFields);
   if ((options.PlaceFields.First == NoField) != (options.PlaceFields.Second == NoField))
   {
-    throw InputError("one of XByte and YByte is -1 (no places), expected both");
+    throw InputError("only one of XByte and YByte is -1 (no coordinates), expected both or neither");
   }
   CheckAtLeast("VerticalStep", options.VerticalStep, 0.0, "");
   if (options.FormatCode != 0)

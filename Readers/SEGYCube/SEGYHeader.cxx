@@ -353,8 +353,8 @@ SEGYHeader ReadSEGYHeader(std::istream& stream, std::int64_t fileSize, const SEG
   if (header.Interval > 0.0 && interval > 0.0 && std::abs(header.Interval - interval) > IntervalTolerance)
   {
     std::ostringstream text;
-    text << "an interval of " << header.Interval << " ms in the header (byte 3217) and of " << interval
-         << " in the first trace (byte 117): that of the header is taken; set VerticalStep for another one";
+    text << "a sample interval of " << header.Interval << " ms in the header (byte 3217) and of " << interval
+         << " in the first trace (byte 117): the header is used; set VerticalStep to change it";
     header.Warnings.push_back(text.str());
   }
   header.Interval = header.Interval > 0.0 ? header.Interval : interval;

@@ -113,7 +113,7 @@ CubeImage ReadCubeImage(const SEGYCube& cube, const CubeView& view, const CubeEx
 std::string NullsText(std::int64_t nulls)
 {
   const char* const text =
-    " samples of 1e30 or more, or nan, are taken as missing; if they are no nulls, set SampleFormat";
+    " samples of 1e30 or more, or nan, are read as missing; if they are valid, set SampleFormat";
   return nulls > 0 ? std::to_string(nulls) + text : "";
 }
 

@@ -131,9 +131,9 @@ void CheckDelaysOfDuplicates(const SEGYCube& cube, const TraceTable& table)
     if (Delay(table, first) != Delay(table, duplicate.Trace))
     {
       std::ostringstream text;
-      text << "traces " << first + 1 << " and " << duplicate.Trace + 1 << " at one place with delays of "
+      text << "traces " << first + 1 << " and " << duplicate.Trace + 1 << " at one position with delays of "
            << Delay(table, first) << " and " << Delay(table, duplicate.Trace)
-           << " ms (byte 109), expected the same for their mean; set DuplicatePolicy to First or Last";
+           << " ms (byte 109), expected equal ones for a mean; set DuplicatePolicy to First or Last";
       throw InputError(text.str());
     }
   }
@@ -185,7 +185,7 @@ LineNumbering LineNumbers::FindNumbering(const Monitor& monitor) const
   if (crosslines.empty())
   {
     throw InputError(std::to_string(this->Table.Traces) +
-      " traces that are all dead and without line numbers, expected some that are not");
+      " traces, all dead and without line numbers, expected live ones");
   }
   return FindLineNumbering(crosslines, inlines, monitor);
 }

@@ -238,7 +238,7 @@ PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double
     text.precision(2);
     text << FieldsText(fields) << "up to " << fit.LargestDistance << " of a step off any lattice, "
          << std::sqrt(squares / double((all <= fit.LargestDistance).count()))
-         << " by root mean square, as of irregular midpoints: the lattice is that of least squares";
+         << " rms, as with irregular midpoints: the lattice is a least-squares fit";
     placed.Warnings.push_back(text.str());
   }
   std::size_t places = 0; // up to the first stray
@@ -247,7 +247,7 @@ PlacedTraces TryFields(const LineNumbers& lines, const FieldPair& fields, double
     if (HasPlace(lines, fields, trace) && places++ == fit.Strays.front())
     {
       placed.Warnings.push_back(std::to_string(placed.Strays) + " traces, the first of them " +
-        std::to_string(trace + 1) + ", with x and y off the lattice of all others: put on it by their line numbers");
+        std::to_string(trace + 1) + ", with x and y off the lattice of the others: placed by their line numbers");
     }
   }
   return placed;
@@ -281,9 +281,9 @@ std::string CompareFields(
   }
   std::ostringstream text;
   text.precision(3);
-  text << FieldsText(other) << "on another lattice, up to " << distance << " columns away from that at bytes "
+  text << FieldsText(other) << "on another lattice, up to " << distance << " columns from the one at bytes "
        << placed.Fields.First << " and " << placed.Fields.Second
-       << ", which is taken; set XByte and YByte for the other";
+       << ", which is used; set XByte and YByte to use the other";
   return text.str();
 }
 

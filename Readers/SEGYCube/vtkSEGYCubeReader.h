@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSEGYCubeReader
- * @brief   reads a post-stack seismic cube, or a line of one, from a SEG-Y file
+ * @brief   reads a post-stack seismic cube or line from a SEG-Y file
  *
  * Each trace is placed by its inline and crossline numbers, so lines may be missing, truncated or in any order. The
- * header bytes of line numbers and coordinates are found (Documentation/SEGYCubeReader.md) or set. Samples are IBM or
+ * header bytes of line numbers and coordinates are found (Documentation/SEGYCube.md) or set. Samples are IBM or
  * IEEE floats or integers, in either byte order.
  *
  * The first output is one vtkImageData: crosslines along i, inlines along j, samples along k, as in the lattice of
@@ -70,7 +70,7 @@ public:
 
   ///@{
   /**
-   * The SEG-Y file. Several files are time steps. See "Series of files" in Window.md. Range: a path in UTF-8. Default:
+   * The SEG-Y file; several files are time steps. See "Series of files" in Window.md. Range: a path in UTF-8. Default:
    * none.
    */
   vtkHorizonFileNamesMacro();
@@ -84,21 +84,21 @@ public:
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   /**
-   * The byte of the inline number in trace headers, from 1; 189 in the standard. 0, with a CrosslineByte of 0: found
-   * automatically. -1: none, all traces are on one inline. Range: -1 to 237. Default: 0.
+   * Trace header byte of the inline number; 189 in the standard. 0 for InlineByte and CrosslineByte: found
+   * automatically. -1: all traces are on one inline. Range: -1 to 237. Default: 0.
    */
   vtkHorizonNumberMacro(InlineByte, int);
 
   /**
-   * As InlineByte, for the crossline number; 193 in the standard. Range: -1 to 237. Default: 0.
+   * As InlineByte, for the crossline; 193 in the standard. Range: -1 to 237. Default: 0.
    *
    * Only one of the two can be -1.
    */
   vtkHorizonNumberMacro(CrosslineByte, int);
 
   /**
-   * The byte of x in trace headers, from 1; 181 in the standard. 0, with a YByte of 0: found automatically. -1, with a
-   * YByte of -1: x is the crossline, y the inline. Range: -1 to 237. Default: 0.
+   * Trace header byte of x; 181 in the standard. 0 for XByte and YByte: found automatically. -1 for both: x is the
+   * crossline, y the inline. Range: -1 to 237. Default: 0.
    */
   vtkHorizonNumberMacro(XByte, int);
 
@@ -108,18 +108,17 @@ public:
   vtkHorizonNumberMacro(YByte, int);
 
   /**
-   * The first and last inline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
+   * First and last inline; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
   vtkHorizonVectorMacro(InlineRange, int, 2);
 
   /**
-   * The first and last crossline to read; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
+   * First and last crossline; 0, -1 for all. Unit: line numbers. Range: any. Default: 0, -1.
    */
   vtkHorizonVectorMacro(CrosslineRange, int, 2);
 
   /**
-   * The first and last sample (k) to read; -1 for the end. Unit: vertical indices. Range: at least 0, or -1 for the
-   * end. Default: 0, -1.
+   * First and last sample (k). Unit: vertical indices. Range: at least 0, or -1 for the end. Default: 0, -1.
    */
   vtkHorizonVectorMacro(SampleRange, int, 2);
 
@@ -141,48 +140,45 @@ public:
   };
 
   /**
-   * The sample format, for files that state a wrong one: many samples are then above 1e30 and thus missing, or all look
-   * like noise. Default: FromFile.
+   * Sample format; set it if many samples are missing or all look like noise. Default: FromFile.
    */
   vtkHorizonNumberMacro(SampleFormat, int);
 
   /**
-   * The samples per trace. 0: as the file states, or as the traces do if that does not fit. Range: at least 0. Default:
-   * 0.
+   * Samples per trace. 0: as the file states, or its traces if that does not fit. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(NumberOfSamples, int);
 
   /**
-   * Leaves out an incomplete last trace, with a warning. Off: it is an error. Default: off.
+   * Skips an incomplete last trace, with a warning. Off: an error. Default: off.
    */
   vtkHorizonFlagMacro(IgnoreIncompleteTrace);
 
   /**
-   * Which of several traces with the same inline and crossline is used. Refuse: an error. First, Last: by order in the
-   * file. Mean: their mean, without traces of zeros. Dead traces never count beside others. Default: Refuse.
+   * Which of several traces in a column is used, dead ones last. Refuse: an error. First, Last: in file order. Mean:
+   * their mean, without zero traces. Default: Refuse.
    */
   vtkHorizonChoice4Macro(DuplicatePolicy, DuplicateChoice, Refuse, First, Last, Mean);
 
   /**
-   * How traces are aligned whose delay is not whole steps from that of most others. Interpolate: by cubic polynomials.
-   * Nearest: samples move by up to half a step. Default: Interpolate.
+   * How traces with delays off by fractions of a step are aligned. Interpolate: cubic. Nearest: by up to half a step.
+   * Default: Interpolate.
    */
   vtkHorizonChoice2Macro(DelayPolicy, DelayChoice, Interpolate, Nearest);
 
   /**
-   * The step between samples. 0: a thousandth of the interval in the file, which is ms for time, m or ft in most depth
-   * cubes. Unit: that of z. Range: finite, at least 0. Default: 0.
+   * Sample interval. 0: a thousandth of that in the file: ms, or m or ft in most depth cubes. Unit: that of z. Range:
+   * finite, at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(VerticalStep, double);
 
   /**
-   * The direction of world z in which time or depth increases. Default: Down.
+   * Direction of increasing time or depth. Default: Down.
    */
   vtkHorizonChoice2Macro(VerticalDirection, VerticalSense, Down, Up);
 
   /**
-   * The unit of z: ms, s, m or ft, without conversion. Empty: ms; set m or ft for a depth cube. Range: any text.
-   * Default: empty.
+   * Unit of z: ms, s, m or ft; no conversion. Empty: ms; set m or ft for depth. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(VerticalUnit);
 
@@ -192,32 +188,30 @@ public:
   vtkHorizonTextMacro(VerticalDomain);
 
   /**
-   * The unit of x and y: m or ft, without conversion. Empty: as in the file. Range: any text. Default: empty.
+   * Unit of x and y: m or ft; no conversion. Empty: as in the file. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(HorizontalUnit);
 
   /**
-   * The name of the coordinate system of x and y, without conversion. Range: any text. Default: empty.
+   * Coordinate system; no conversion. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(CoordinateSystem);
 
   /**
-   * The largest distance of x and y from the lattice, as a fraction of the step. Up to a tenth of the traces may be
-   * farther off, with a warning. If more are, within 0.55, as irregular midpoints are, the lattice is that of least
-   * squares; otherwise line numbers replace x and y, both with a warning. Unit: columns. Range: more than 0, less than
-   * 0.5. Default: 0.25.
+   * Largest distance of traces from the lattice; a tenth may be farther off, with a warning. See "How line numbers are
+   * found" in SEGYCube.md. Unit: columns. Range: more than 0, less than 0.5. Default: 0.25.
    */
   vtkHorizonNumberMacro(LatticeTolerance, double);
 
   /**
-   * The largest distance of image points from their true positions; images cannot be sheared, so lines must be nearly
-   * perpendicular. Unit: columns. Range: at least 0. Default: 0.5.
+   * Largest shift of image points, as images cannot be sheared. Unit: columns. Range: at least 0. Default: 0.5.
    */
   vtkHorizonNumberMacro(ImageTolerance, double);
 
   /**
-   * What was found in the headers: format and byte order, lines and their bytes, missing and dead traces, coordinates,
-   * and vertical indices. Empty before the first update.
+   * What was found in the headers.
+   *
+   * Empty before the first update.
    */
   const char* GetDescription() { return this->Description.c_str(); }
 

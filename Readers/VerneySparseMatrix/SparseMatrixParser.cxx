@@ -73,7 +73,7 @@ LatticeHorizon TakeVoxels(const LatticeHorizon& horizon, const std::vector<std::
   return some;
 }
 
-/// The first sheet of a horizon counts the dropped voxels.
+/// The first sheet of a horizon counts the dropped voxels, those of sheets that are too small included.
 std::vector<LatticeHorizon> SplitAll(std::vector<LatticeHorizon> horizons, std::int64_t smallestSize)
 {
   std::vector<LatticeHorizon> all;
@@ -86,15 +86,22 @@ std::vector<LatticeHorizon> SplitAll(std::vector<LatticeHorizon> horizons, std::
       all.push_back(std::move(horizon));
       continue;
     }
+    const std::size_t first = all.size();
     std::int64_t dropped = sheets.Dropped;
     for (const std::vector<std::int32_t>& voxels : sheets.Points)
     {
       if (std::int64_t(voxels.size()) >= smallestSize)
       {
         all.push_back(TakeVoxels(horizon, voxels));
-        all.back().DroppedDuplicates = dropped;
       }
-      dropped = 0;
+      else
+      {
+        dropped += std::int64_t(voxels.size());
+      }
+    }
+    if (first < all.size())
+    {
+      all[first].DroppedDuplicates = dropped;
     }
     horizon = LatticeHorizon();
   }

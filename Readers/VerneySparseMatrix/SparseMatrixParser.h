@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads the sparse-matrix text format: a header "nX nY nZ", then one line per column of the lattice (i fastest) with
-// five values per voxel. Documentation/FileFormat.md has the grammar and all messages.
+// five values per voxel. Documentation/VerneySparseMatrix.md has the grammar and all messages.
 //
 // A few megabytes of the file are in memory besides the result, whatever its header says; time is linear in its size.
 // Numbers are read independently of the locale and rounded correctly. Errors are InputError, with the number of the

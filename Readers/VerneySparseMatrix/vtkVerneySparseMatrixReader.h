@@ -5,7 +5,7 @@
  * @brief   reads horizons from a sparse-matrix file (.vsm)
  *
  * The file lists the voxels of horizons, column by column of a lattice of nX x nY x nZ cells, each with a vertical
- * index, a surface ID, a thickness, an amplitude and a real z (Documentation/FileFormat.md).
+ * index, a surface ID, a thickness, an amplitude and a real z (Documentation/VerneySparseMatrix.md).
  *
  * The output is a vtkPartitionedDataSetCollection with one partitioned dataset per selected horizon, by ascending
  * surface ID, named "Horizon <ID>": a vtkPolyData with one point and one vertex cell per voxel. With OutputType Images
@@ -75,8 +75,8 @@ public:
 
   ///@{
   /**
-   * The file, plain or compressed by gzip. Several files are time steps. See "Series of files" in Window.md. Range: a
-   * path in UTF-8. Default: none.
+   * The file, plain or gzipped; several files are time steps. See "Series of files" in Window.md. Range: a path in
+   * UTF-8. Default: none.
    */
   vtkHorizonFileNamesMacro();
   ///@}
@@ -89,25 +89,23 @@ public:
   int CanReadFile(VTK_FILEPATH const char* fileName);
 
   /**
-   * Horizons with fewer points in the ranges are not listed. Unit: points. Range: at least 1. Default: 1.
+   * Smallest horizon listed, within the ranges. Unit: points. Range: at least 1. Default: 1.
    */
   vtkHorizonNumberMacro(SmallestHorizonSize, vtkIdType);
 
   /**
-   * The first and last column (i) to load; -1 for the end. Unit: columns. Range: at least 0, or -1 for the end.
-   * Default: 0, -1.
+   * First and last column (i). Unit: columns. Range: at least 0, or -1 for the end. Default: 0, -1.
    */
   vtkHorizonVectorMacro(ColumnRange, int, 2);
 
   /**
-   * The first and last row (j) to load; -1 for the end. Unit: rows. Range: at least 0, or -1 for the end. Default: 0,
-   * -1.
+   * First and last row (j). Unit: rows. Range: at least 0, or -1 for the end. Default: 0, -1.
    */
   vtkHorizonVectorMacro(RowRange, int, 2);
 
   /**
-   * For files larger than memory: lists the horizons in one pass, then reads only selected horizons and rows. Not for
-   * volumes. See "Files larger than memory" in VerneySparseMatrixReader.md. Default: off.
+   * For files larger than memory: reads selected horizons and rows only. Not for volumes. See "Files larger than
+   * memory" in VerneySparseMatrix.md. Default: off.
    *
    * The list has the number of points of each horizon in each row, and is kept for other rows and horizons.
    */
@@ -125,9 +123,8 @@ public:
   int GetNumberOfRows();
 
   /**
-   * What horizons become. Points: points in space, the input of the stages. Images: maps at z = 0. Volume: all horizons
-   * in one image. For the last two, ColumnStep and RowStep must be perpendicular. See "Output" in
-   * VerneySparseMatrixReader.md. Default: Points.
+   * What horizons become. Points: the input of stages. Images: maps at z = 0. Volume: one image of all. Images and
+   * volumes need perpendicular ColumnStep and RowStep. See "Output" in VerneySparseMatrix.md. Default: Points.
    *
    * One vtkPolyData or vtkImageData per horizon, or one vtkImageData for a volume; GetOutput() gives null for a volume,
    * use GetOutputDataObject(0).
@@ -135,33 +132,29 @@ public:
   vtkHorizonChoice3Macro(OutputType, OutputKind, Points, Images, Volume);
 
   /**
-   * What a volume covers. Whole: the lattice. BoundingBox: the smallest box around the selected horizons. Default:
-   * Whole.
+   * What a volume covers. Whole: the lattice. BoundingBox: the selected horizons. Default: Whole.
    */
   vtkHorizonChoice2Macro(VolumeExtent, VolumeBox, Whole, BoundingBox);
 
   /**
-   * The active scalars of a volume: the ID of the horizon, or Amplitude or Thickness, which become a second array.
-   * Default: SurfaceId.
+   * Active scalars of a volume; Amplitude and Thickness are added to SurfaceId. Default: SurfaceId.
    */
   vtkHorizonChoice3Macro(VolumeArray, VolumeContent, SurfaceId, Amplitude, Thickness);
 
   /**
-   * The array SurfaceId of a volume where there is no voxel. Range: an integer that is not the ID of a selected
-   * horizon. Default: 0.
+   * SurfaceId of a volume where there is no voxel. Range: an integer that is not the ID of a selected horizon. Default:
+   * 0.
    */
   vtkHorizonNumberMacro(BackgroundValue, int);
 
   /**
-   * The largest memory of the arrays of a volume, per process; a larger volume is an error. Unit: MB (2^20 bytes).
-   * Range: at least 1. Default: 2048.
+   * Largest memory of a volume, per process; more is an error. Unit: MB (2^20 bytes). Range: at least 1. Default: 2048.
    */
   vtkHorizonNumberMacro(VolumeMemoryLimit, int);
 
   /**
-   * World z of points. VerticalIndex: from the index, Origin and VerticalStep. RealZ: the time or depth in the file.
-   * Stages measure in the lattice in both cases. See "World coordinates" in VerneySparseMatrixReader.md. Default:
-   * VerticalIndex.
+   * World z of points. VerticalIndex: from Origin and VerticalStep. RealZ: time or depth in the file. See "World
+   * coordinates" in VerneySparseMatrix.md. Default: VerticalIndex.
    *
    * With RealZ, LatticeToWorld has the straight line that best fits real z to the vertical index, over all voxels in
    * the ranges (with LeastMemory those in the ColumnRange), so that a height of 1 in lattice units remains one vertical
@@ -170,45 +163,35 @@ public:
    */
   vtkHorizonChoice2Macro(ZFrom, ZSource, VerticalIndex, RealZ);
 
-  ///@{
-  /// The names of version 0.2, for scripts of that version. @deprecated Use SetZFrom.
-  void SetElevation(int source) { this->SetZFrom(source); }
-  void SetElevationToVerticalIndex() { this->SetZFrom(VerticalIndex); }
-  void SetElevationToRealZ() { this->SetZFrom(RealZ); }
-  ///@}
-
   /**
-   * World coordinates of the centre of cell (0, 0, 0). Unit: world units. Range: finite. Default: 0, 0, 0.
+   * Centre of cell (0, 0, 0). Unit: world units. Range: finite. Default: 0, 0, 0.
    */
   vtkHorizonVectorMacro(Origin, double, 3);
 
   /**
-   * The step in x and y from a column to the next along i, which runs fastest in the file. Unit: world units. Range:
-   * finite, not parallel to RowStep. Default: 1, 0.
+   * Step in x and y to the next column (i). Unit: world units. Range: finite, not parallel to RowStep. Default: 1, 0.
    */
   vtkHorizonVectorMacro(ColumnStep, double, 2);
 
   /**
-   * The step in x and y from a row to the next along j. Unit: world units. Range: finite, not parallel to ColumnStep.
-   * Default: 0, 1.
+   * Step in x and y to the next row (j). Unit: world units. Range: finite, not parallel to ColumnStep. Default: 0, 1.
    */
   vtkHorizonVectorMacro(RowStep, double, 2);
 
   /**
-   * The length of a vertical index; a negative one reverses the direction. Unit: world units. Range: finite, not 0.
-   * Default: 1.
+   * Length of a vertical index; negative reverses the direction. Unit: world units. Range: finite, not 0. Default: 1.
    *
    * z is Origin's z minus (VerticalDirection Down) or plus (Up) VerticalStep times the index.
    */
   vtkHorizonNumberMacro(VerticalStep, double);
 
   /**
-   * The direction of world z in which vertical indices and real z increase. Default: Down.
+   * Direction of increasing vertical indices and real z. Default: Down.
    */
   vtkHorizonChoice2Macro(VerticalDirection, VerticalSense, Down, Up);
 
   /**
-   * The unit of z: ms, s, m or ft, without conversion; z is that of ZFrom. Range: any text. Default: empty.
+   * Unit of z (see ZFrom): ms, s, m or ft; no conversion. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(VerticalUnit);
 
@@ -218,10 +201,9 @@ public:
   vtkHorizonTextMacro(VerticalDomain);
 
   /**
-   * Which of several voxels of a horizon in one column is kept. StrongestAmplitude: the one with the largest absolute
-   * amplitude, then the topmost. Topmost, Lowest: by vertical index. Sheets: all, as at reverse faults; not with
-   * LeastMemory. Mean: one with their means; its vertical index is rounded. See "Sheets" in
-   * VerneySparseMatrixReader.md. Default: StrongestAmplitude.
+   * Which of several voxels in a column is kept. StrongestAmplitude: the largest absolute amplitude, then the topmost.
+   * Topmost, Lowest: by vertical index. Sheets: all, for reverse faults; not with LeastMemory. Mean: their mean. See
+   * "Sheets" in VerneySparseMatrix.md. Default: StrongestAmplitude.
    *
    * The second sheet is named "Horizon 7 (2)"; see ColumnSheets.h.
    */

@@ -74,8 +74,8 @@ void WarnOfGuide(
   if (2 * use.Shared > std::int64_t(points))
   {
     found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.Shared) + " of its " +
-      std::to_string(points) + " points are those of guide \"" + found.Guides[use.SharedWith].Given.Name +
-      "\", too, expected different events");
+      std::to_string(points) + " points are also on guide \"" + found.Guides[use.SharedWith].Given.Name +
+      "\", expected different events");
   }
   if (use.Stopped > 0 && hasGrowth)
   {

@@ -48,37 +48,37 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The angle by which the phase of the wavelet is rotated first: minus the EstimatedPhase of the cube puts picks on
-   * interfaces. Unit: degrees. Range: -180 to 180. Default: 0.
+   * Phase rotation applied first; minus EstimatedPhase puts picks on interfaces. Unit: degrees. Range: -180 to 180.
+   * Default: 0.
    */
   vtkHorizonNumberMacro(PhaseRotation, double);
 
   /**
-   * The sign of the reflections that are used. Default: Both.
+   * Sign of the reflections used. Default: Both.
    */
   vtkHorizonChoice3Macro(Polarity, Polarities, Both, Positive, Negative);
 
   /**
-   * Where the pick of a reflection is. Middle: in the middle of its samples at or above the threshold. Peak: at each
-   * local maximum of the absolute amplitude, interpolated. ZeroCrossing: where amplitudes change sign; positive ones
-   * become positive downwards. Default: Peak.
+   * Where reflections are picked. Middle: midway along their samples at or above the threshold. Peak: at maxima of
+   * absolute amplitude. ZeroCrossing: at changes of sign; Positive means to positive amplitudes downwards. Default:
+   * Peak.
    */
   vtkHorizonChoice3Macro(Position, Positions, Middle, Peak, ZeroCrossing);
 
   /**
-   * Whether AmplitudeThreshold or AmplitudePercentile selects strong reflections. Default: Percentile.
+   * Selects strong reflections by AmplitudeThreshold or AmplitudePercentile. Default: Percentile.
    */
   vtkHorizonChoice2Macro(ThresholdType, ThresholdTypes, Amplitude, Percentile);
 
   /**
-   * The least absolute amplitude of a peak; with Middle, of all samples of a reflection; at a zero crossing, of the
-   * mean of the peaks beside it. Unit: that of the amplitudes. Range: at least 0. Default: 0.
+   * Smallest absolute amplitude of a peak; for Middle, of each sample; for ZeroCrossing, of the mean of adjacent peaks.
+   * Unit: that of the amplitudes. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(AmplitudeThreshold, double);
 
   /**
-   * Peaks are too weak below the absolute amplitude that this percentage of samples has, those of the polarity and
-   * other than 0. With guides all peaks are used. Unit: percent. Range: 0 to 100. Default: 40.
+   * Ignores peaks below this percentile of nonzero absolute amplitudes of the polarity; not with guides. Unit: percent.
+   * Range: 0 to 100. Default: 40.
    */
   vtkHorizonNumberMacro(AmplitudePercentile, double);
 
@@ -100,48 +100,49 @@ public:
   ///@}
 
   /**
-   * Which columns are neighbours: the next ones along i and j, or also the diagonal ones. Default: Four.
+   * Whether columns are neighbours along i and j only, or also diagonally. Default: Four.
    */
   vtkHorizonChoice2Macro(Connectivity, Connectivities, Four, Eight);
 
   /**
-   * The largest vertical step between neighbouring picks of a surface. 0: 0.3 of the dominant period, at least 2. Unit:
-   * samples. Range: 0 to 262143. Default: 0.
+   * Largest vertical step between neighbouring picks. 0: 0.3 of the dominant period, at least 2. Unit: samples. Range:
+   * 0 to 262143. Default: 0.
    */
   vtkHorizonNumberMacro(LargestStep, double);
 
   /**
-   * The least correlation of the waveforms of neighbouring picks, as a fraction of the median over all links. Not with
-   * Components. Unit: fraction of the median. Range: 0 to 1. Default: 0.85.
+   * With BestFirst, the smallest waveform correlation of neighbouring picks. Unit: fraction of the median over all
+   * links. Range: 0 to 1. Default: 0.85.
    */
   vtkHorizonNumberMacro(SmallestCorrelation, double);
 
   /**
-   * With BestFirst, the least fraction of links among the pairs of picks along which two parts of a surface face each
-   * other. Unit: fraction of the pairs. Range: 0 to 1. Default: 0.5.
+   * With BestFirst, the smallest fraction of facing picks of two pieces that must be linked. Unit: fraction of the
+   * pairs. Range: 0 to 1. Default: 0.5.
    */
   vtkHorizonNumberMacro(SmallestContact, double);
 
   /**
-   * The smallest surface. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0. Default: 0.
+   * Smallest surface kept. 0: a twentieth of the traces, 10 to 100. Unit: picks. Range: at least 0. Default: 0.
    */
   vtkHorizonNumberMacro(SmallestSize, vtkIdType);
 
   /**
-   * The largest number of horizons. Unit: surfaces. Range: at least 1. Default: 100.
+   * Largest number of horizons. Unit: surfaces. Range: at least 1. Default: 100.
    */
   vtkHorizonNumberMacro(LargestNumber, int);
 
   /**
-   * Which surfaces come first. Strength: those with the largest sum of cubed absolute amplitudes, the main reflectors.
-   * Size: those with the most picks. Default: Strength.
+   * Which surfaces come first. Strength: the main reflectors. Size: those with most picks. Default: Strength.
+   *
+   * Strength is the sum of cubed absolute amplitudes.
    */
   vtkHorizonChoice2Macro(Order, Orders, Strength, Size);
 
   ///@{
   /**
-   * Some picks of each horizon wanted, in the coordinates of the cube, or by its line numbers; optional. Blocks, or the
-   * point array Horizon of numbers or texts, separate horizons. Range: points. Default: none.
+   * Picks of the horizons wanted, in coordinates or line numbers of the cube; optional. Blocks, or the point array
+   * Horizon (numbers or text), separate horizons. Range: points. Default: none.
    *
    * Input 1.
    */
@@ -150,37 +151,36 @@ public:
   ///@}
 
   /**
-   * The largest distance of a pick of a guide from its reflection. 0: 0.2 of the dominant period, at least 1.5. Unit:
+   * Largest distance of a guide's picks from their reflections. 0: 0.2 of the dominant period, at least 1.5. Unit:
    * samples. Range: 0 to 262143. Default: 0.
    */
   vtkHorizonNumberMacro(GuideTolerance, double);
 
   /**
-   * The least correlation of waveforms for a guided horizon to grow to a neighbour. Range: 0 to 1. Default: 0.6.
+   * Smallest waveform correlation at which guided horizons grow. Range: 0 to 1. Default: 0.6.
    */
   vtkHorizonNumberMacro(GrowthCorrelation, double);
 
   /**
-   * How far a guided horizon grows from its picks; from surfaces taken, 60 at most. 0: no growth, which is safest.
-   * Unit: columns. Range: at least 0. Default: 1000.
+   * How far guided horizons grow from picks; from surfaces taken, at most 60. 0: no growth, the safest. Unit: columns.
+   * Range: at least 0. Default: 1000.
    */
   vtkHorizonNumberMacro(GrowthReach, int);
 
   /**
-   * Points of guided horizons with less Confidence are left out, except for picks of the guide. Range: 0 to 1.
-   * Default: 0.
+   * Smallest Confidence of guided points; picks of guides are always kept. Range: 0 to 1. Default: 0.
    */
   vtkHorizonNumberMacro(LeastConfidence, double);
 
   /**
-   * Whether the output also has the surfaces without a guide, after the others. Range: on, off. Default: off.
+   * Adds the surfaces without a guide, after the others. Range: on, off. Default: off.
    */
   vtkHorizonNumberMacro(KeepOthers, bool);
 
   ///@{
   /**
-   * One or two older horizons: only what lies between them, or on the LimitSide of one, is searched; optional. ParaView's
-   * panel takes one source: for two, a file with both horizons, or Group Datasets of two. Range: points. Default: none.
+   * Searches only between two older horizons, or on the LimitSide of one; optional. In the panel, give two as one file
+   * or by Group Datasets. Range: points. Default: none.
    *
    * Input 2, of several connections.
    */
@@ -189,19 +189,16 @@ public:
   ///@}
 
   /**
-   * The side of a single limit that is searched. Below: at and after it, in the order of samples. Default: Below.
+   * Side of a single limit to search. Below: at and after it, in sample order. Default: Below.
    */
   vtkHorizonChoice2Macro(LimitSide, LimitSides, Below, Above);
 
   /**
-   * z of the points. VerticalIndex: that of the nearest sample. RealZ: that of the pick itself. Default: RealZ.
+   * World z of points. VerticalIndex: of the nearest sample. RealZ: of the pick itself. Default: RealZ.
    */
   vtkHorizonChoice2Macro(ZFrom, ZSource, VerticalIndex, RealZ);
 
-  /// The name of ZFrom in version 0.2, for scripts of that version. @deprecated Use SetZFrom.
-  void SetElevation(int source) { this->SetZFrom(source); }
-
-  /// What was found in the cube, as text. Empty before the first update.
+  /// What was found in the cube. Empty before the first update.
   const char* GetDescription() { return this->Description.c_str(); }
 
   ///@{

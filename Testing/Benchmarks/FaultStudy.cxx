@@ -98,11 +98,12 @@ void PrintHead(int horizons)
 {
   std::printf(
     "# Faults found\n\n"
-    "How much of the faults of generated horizons [Horizon Faults](HorizonFaults.md) finds. Made by `FaultStudy`.\n\n"
-    "Each entry is the percentage of faulted edges found, by throws of 1 to 2, 2 to 4, 4 to 8, and 8 or more vertical\n"
-    "indices, and the number of false ones per 1,000 columns: those more than a column away from all faulted edges.\n"
-    "Each is from %d horizons of 200 by 200 columns with largest throws of 2, 3, 5, 8, 12, 20 and 40 each, and four\n"
-    "faults, or eight that cross; `nan` where no edge has such a throw. Noise is its standard deviation, dip is in\n"
+    "These tables show how well [Horizon Faults](HorizonFaults.md) detects the faults of synthetic horizons, with its\n"
+    "defaults and with lower thresholds. `FaultStudy` measures and writes this page.\n\n"
+    "Entries are the percentages of faulted edges found with throws of 1 to 2, 2 to 4, 4 to 8, and 8 or more\n"
+    "vertical indices, then the number of false edges per 1,000 columns: edges more than a column from all faults.\n"
+    "For each of the largest throws 2, 3, 5, 8, 12, 20 and 40 there are %d horizons of 200 by 200 columns with four\n"
+    "faults, or eight if they cross. `nan`: no edge has such a throw. Noise is its standard deviation; dip is in\n"
     "vertical indices per column.\n",
     horizons);
 }
@@ -167,7 +168,7 @@ void PrintShapeTable(int horizons, const Method& method)
   }
   FaultGeneratorOptions options;
   options.PickSpacing = 5;
-  print("picks on each 5th row", options, RampReach);
+  print("picks on every 5th row", options, RampReach);
 }
 
 /// Folds twice as high as the dip, without faults: the most false edges for 1,000 columns.
@@ -295,14 +296,14 @@ void PrintSticks(int horizons)
     }
   }
   std::printf(
-    "Of a fault from side to side with a stick every 5 to 60 edges, in any order, at least %.0f %% of the edges are\n"
+    "For a fault from side to side with a stick every 5 to 60 edges, in any order, at least %.0f %% of the edges are\n"
     "cut within two columns, and at most %.2f per 1,000 columns elsewhere. Noise 0.3.\n",
     found, wrong);
 }
 
 void PrintHoleTable(int horizons, const Method& method)
 {
-  std::printf("| hole | found | error without cuts | with those found | with all |\n"
+  std::printf("| hole | found | error without cuts | with cuts found | with all cuts |\n"
               "| --- | --- | --- | --- | --- |\n");
   for (const int size : { 10, 40, 80 })
   {
@@ -358,7 +359,8 @@ int main(int argc, char* argv[])
   {
     std::printf("\n## %s\n\n", method.Name.c_str());
     PrintNoiseTable(horizons, method);
-    std::printf("Dip 0.5, whole heights, widths in columns; at ramps and on rows within two columns:\n\n");
+    std::printf(
+      "Dip 0.5, whole heights, widths in columns; found within two columns at ramps and on sparse rows:\n\n");
     PrintShapeTable(horizons, method);
     if (&method != &methods.front())
     {
@@ -367,8 +369,8 @@ int main(int argc, char* argv[])
     std::printf("\nFolds twice as high as the dip, without faults, have at most %.2f false edges per 1,000 columns.\n",
       ScoreFolds(horizons, method));
     std::printf(
-      "\nA fault with a throw of 8 and more through a hole: percentage of its edges there found within two columns,\n"
-      "false edges per 1,000 columns, and RMS errors of the filled heights; noise 0.3:\n\n");
+      "\nA fault with a throw of at least 8 crosses a hole: percentage of its edges in the hole found within two\n"
+      "columns, false edges per 1,000 columns, and rms errors of the filled heights; noise 0.3:\n\n");
     PrintHoleTable(horizons, method);
   }
   std::printf("\n## Sticks\n\n");

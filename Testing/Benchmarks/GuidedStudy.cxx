@@ -245,7 +245,7 @@ void PrintOrders(int cubes)
 {
   ExtractionOptions options = TakeAll();
   std::printf(
-    "\nOf the first 20 surfaces, number on a reflector or a channel's floor; the others are on side lobes:\n\n"
+    "\nNumber of the first 20 surfaces that are on a reflector or a channel floor; the others are on side lobes:\n\n"
     "| order |");
   for (const double noise : GuidedNoises)
   {
@@ -333,39 +333,39 @@ void PrintTroubleTable(int cubes)
 
 constexpr const char* Guided = R"(## Guided
 
-Five picks per piece find most of a horizon, even with some wrong picks. %d wild cubes (`generate_cube --wild`) of 110 x
-96 traces of 280 samples: difficult cubes with an unconformity, two channels, and one to four short faults; half of the
-noise is in band, a quarter white, and a quarter dipping waves. *Picks* are random in each piece of a reflector (100 or
-more connected columns), or all of every 20th line. Entries in percent: *found* / *weakest* / *off*, picks more than
-half a period away / *absent*, picks where the reflector is not. Without picks the surface is the best one of each
-piece. The plain tracker, a peer with the same picks that is given the true period, grows from these alone, best
-correlation first.
+Five picks per piece find most of a horizon, even if some of them are wrong. %d wild cubes (`generate_cube --wild`) of
+110 x 96 traces of 280 samples: hard cubes with an unconformity, two channels, and one to four short faults. Half of the
+noise is in band, a quarter is white, and a quarter is dipping waves. *Picks* are random in each piece of a reflector
+(100 or more connected columns), or all picks on every 20th line. Entries are percentages: *found* / *weakest* / *off*,
+picks more than half a period from the reflector / *absent*, picks where there is none. Without picks, the best surface
+of each piece is evaluated. The *plain tracker*, for comparison, knows the picks and the true period, and grows only
+from the picks, best correlation first.
 )";
 
 constexpr const char* Confidence = R"(
 ## Confidence
 
-The array `Confidence` of guided horizons on the same cubes, in bins. Entries in percent: of all points, those in the
-bin: their mean confidence / those within half a period of the reflector / *off*, where the reflector is.
+The array `Confidence` of guided horizons in the same cubes, in bins. Entries are percentages: points in the bin, then
+of these their mean confidence / those within half a period of the reflector / those *off*, where the reflector exists.
 
 )";
 
 constexpr const char* Troubles = R"(
 ## Other troubles
 
-Parts of wild cubes of 90 x 80 traces with 25 % noise, a half of it white and a half in band and alike in columns
-nearby, as after migration. Each has one trouble more (`generate_cube --trouble`): amplitudes clipped to 8 bits, three
-strips of dead traces, a footprint of acquisition, a gas cloud that weakens and delays, multiples that cross reflectors,
-polarity that turns along every reflector, a bright reef with steep flanks, a salt plug with upturned flanks, and a
-wavelet whose frequency falls to 0.4. Entries as under *Guided*.
+Parts of wild cubes, of 90 x 80 traces, with 25 % noise: half white, half in band and similar in neighbouring columns,
+as after migration. Each has one more problem (`generate_cube --trouble`): amplitudes clipped to 8 bits, three strips of
+dead traces, an acquisition footprint, a gas cloud that weakens and delays, multiples that cross reflectors, polarity
+that reverses along every reflector, a bright reef with steep flanks, a salt plug with upturned flanks, or a wavelet
+whose frequency falls to 0.4 of its value. Entries as under *Guided*.
 
 )";
 
 constexpr const char* Sampling = R"(
 ## Fine sampling
 
-Parts of wild cubes of 70 x 60 traces, sampled more and more finely, with white noise; entries as under *Guided*. With
-guides, traces with more than 2.5 peaks in half a period are smoothed first, so that as much is found in each.
+Parts of wild cubes, of 70 x 60 traces, sampled more and more finely, with white noise. Entries as under *Guided*. With
+picks, traces with more than 2.5 peaks in half a period are smoothed first, so that no less is found.
 
 )";
 }

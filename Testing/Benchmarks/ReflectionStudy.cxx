@@ -166,38 +166,38 @@ void PrintThrowTable(int cubes)
   }
 }
 
-constexpr const char* Head = R"(# How much is found
+constexpr const char* Head = R"(# Reflectors found
 
-What [Seismic Reflection Extraction](SeismicReflectionExtraction.md) finds of the known reflectors of generated cubes
-(`generate_cube`) with its defaults. Components have the settings of the thesis: `Position` Middle,
-`AmplitudePercentile` 70, `Connectivity` Eight and `LargestStep` 1. Made by `ReflectionStudy`, with cubes that no
-constant of the method was chosen by.
+These tables show how well [Seismic Reflection Extraction](SeismicReflectionExtraction.md) recovers the reflectors of
+synthetic cubes (`generate_cube`) with its defaults. `ReflectionStudy` measures and writes this page; no constant of the
+method was tuned on these cubes. *Components* uses the settings of the thesis: `Position` Middle, `AmplitudePercentile`
+70, `Connectivity` Eight and `LargestStep` 1.
 
-- *found*: columns of all reflectors in the best surface of each, per side of the fault; *weakest*: the same of the
-  weakest reflector of each cube, mean of the cubes;
-- *wrong*: picks of best surfaces a quarter of a period or more off the reflector, or where it is absent;
-- *leak*: picks of surfaces of 200 or more on the side of the fault where the surface has fewer;
-- *error*: median, in samples; *surfaces*: surfaces of 10 picks or more per reflector, at least two, as the fault cuts
-  each.
+- *found*: reflector columns in the best surface of each reflector and side of the fault; *weakest*: the same for the
+  weakest reflector of each cube, averaged over the cubes;
+- *wrong*: picks of these surfaces at least a quarter of a period off the reflector, or where it is absent;
+- *leak*: picks on the side of the fault where their surface has fewer, in surfaces of at least 200 picks;
+- *error*: median, in samples; *surfaces*: surfaces of at least 10 picks per reflector, ideally two, as the fault cuts
+  each reflector.
 )";
 
 constexpr const char* Easy = R"(## Easy cubes
 
-Both ways of joining find nearly everything. The worst of no noise and 50 %% noise, %d cubes of 80 x 64 traces of 220
-samples, with layers 32 samples apart, folds, and a fault of half a layer; Ricker wavelet of 30 Hz, 4 ms.
+Both methods find nearly everything. The table has the worse of no noise and 50 %% noise, for %d cubes of 80 x 64 traces
+of 220 samples, with layers 32 samples apart, folds, and a fault of half a layer; Ricker wavelet of 30 Hz, 4 ms.
 )";
 
 constexpr const char* Hard = R"(## Hard cubes
 
-Best First links few wrong picks, Components many. %d cubes of the same size: layers of 1.3 to 3.5 periods that fade to
-0.12 of their strength, a fault of 0.25 to 3.25 periods, a channel, dead and missing traces, wavelets of 25 to 38 Hz.
-Where a layer fades to noise, or forms one wavelet with a neighbour, nothing can be found.
+*Best first* links few wrong picks, *components* many. %d cubes of the same size: layers of 1.3 to 3.5 periods that fade
+to 0.12 of their strength, a fault of 0.25 to 3.25 periods, a channel, dead and missing traces, and wavelets of 25 to 38
+Hz. Layers cannot be found where they fade into the noise, or merge with a neighbour into one wavelet.
 )";
 
-constexpr const char* Leak = R"(## Leak over the fault, by its throw
+constexpr const char* Leak = R"(## Leak across the fault, by its throw
 
-Throws below a fifth of a period look like a dip; above, Best First leaks least. Percent, %d hard cubes each; P is the
-period of the wavelet.
+Throws below a fifth of a period look like a dip. Above, *best first* leaks least. Percentages from %d hard cubes each;
+P is the period of the wavelet.
 )";
 }
 

@@ -46,7 +46,7 @@ void TestTwoStages()
     "  patches 2\n"
     "  columns known 7, area 7\n"
     "  columns left out 5, area 5\n"
-    "  warning: 71.43 % left out\n");
+    "  warning: 41.67 % of the points left out\n");
   // Figures of the stage before are not told again; those that are 0 are not either.
   const std::string results = mesh->GetResults();
   CHECK(

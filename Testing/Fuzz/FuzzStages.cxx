@@ -206,7 +206,7 @@ bool IsEnough(const SurfacePoints& points, const SurfaceOptions& options)
   }
   catch (const InputError& error)
   {
-    return std::string(error.what()).find("that the outlines alone take") == std::string::npos;
+    return std::string(error.what()).find("that the outlines require") == std::string::npos;
   }
 }
 

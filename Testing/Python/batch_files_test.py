@@ -75,7 +75,7 @@ class FilesTest(unittest.TestCase):
         line = self.write("line.txt", ("1 %d 0.5" % i for i in range(3)))
         code, messages, _ = self.run_program(line)
         self.assertEqual((code, len(messages)), (1, 1), messages)
-        self.assertIn("expected to know whether columns 1 and 2 are line numbers or places", messages[0])
+        self.assertIn("columns 1 and 2 may be line numbers or coordinates", messages[0])
         code, messages, _ = self.run_program("--columns", "Inline,Crossline,Z", line)
         self.assertEqual((code, len(messages)), (1, 2), messages)
         self.assertRegex(messages[0], "^warning: line.txt: .* is left out: no triangles between 3 points")
@@ -97,8 +97,8 @@ class FilesTest(unittest.TestCase):
         """A wrong guess would be seen; the error of each horizon is that of the horizon alone."""
         code, messages, told = self.run_program(self.write_turned((5, 5, 1300.0)))
         self.assertEqual((code, len(messages)), (0, 1), messages)
-        self.assertRegex(messages[0], "^warning: dome.csv: 1 of 318 columns with several z, up to 94.1 apart: "
-                         "--duplicate-policy says which is kept, ")
+        self.assertRegex(messages[0], "^warning: dome.csv: 1 of 318 columns have several z, up to 94.1 apart: "
+                         "--duplicate-policy chooses which is kept, ")
         for words in ("plain text, separated by commas: Crossline, Inline, X, Y, Z", "20 x 16 crosslines and inlines, 25 x 12.5 "
                       "apart, the first axis 60 degrees from north", "z 1200 to 1224.9 ms, growing down (as depth and time do; "
                       "--vertical-direction Up turns it); vertical step 1; error 0.98 ms, six times the noise of 0.16\n",
@@ -143,7 +143,7 @@ class FilesTest(unittest.TestCase):
                                                 "--vertical-unit", "ms", SAMPLE)
         self.assertEqual((code, len(messages)), (0, 3))
         self.assertIn("z is time", messages[0])
-        self.assertTrue(all("with heights that were not read" in message for message in messages[1:]), messages)
+        self.assertTrue(all("with interpolated heights" in message for message in messages[1:]), messages)
         self.assertIn(" ms, growing down", told)
 
     def test_surfaces(self):
@@ -170,7 +170,7 @@ class FilesTest(unittest.TestCase):
                                         "VRTX 2 0.35 99.4 0", "VRTX 3 0.3 50.4 90", "TRGL 1 2 3", "END"])
         code, messages, _ = self.run_program("--column-step", "10", "0", "--row-step", "0", "10", steep)
         self.assertEqual((code, len(messages)), (1, 1))
-        self.assertIn("steep.ts: Fault: no column under its triangles, expected some", messages[0])
+        self.assertIn("steep.ts: Fault: no column under the triangles, expected at least one", messages[0])
 
     def test_gridding(self):
         """2D lines of IESX and scattered picks stand on no lattice: of a plane comes a plane."""

@@ -146,7 +146,7 @@ class BatchTest(unittest.TestCase):
             self.assertIn(mesh.GetNumberOfPolys(), (399, 400))
             self.assertEqual(mesh.GetFieldData().GetArray("ChosenRadius").GetValue(0), 2)
         self.assertEqual(image_compare.load(self.output / "blobs.png").shape[1], 3 * 480)
-        self.assertIn("that the outlines alone take", self.refused(SAMPLE, "--no-pictures", "--triangles", "5"))
+        self.assertIn("that the outlines require", self.refused(SAMPLE, "--no-pictures", "--triangles", "5"))
         self.assertIn("not allowed with", self.refused(SAMPLE, "--triangles", "5", "--largest-error", "1", code=2))
 
     def test_outlines(self):

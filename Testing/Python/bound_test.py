@@ -182,7 +182,7 @@ class BoundTest(unittest.TestCase):
             surface.SetEffort(int(random.integers(2)))
             surface.SetPriority(int(random.integers(2)))
             surface.SetFitHeights(bool(random.integers(2)))
-            mesh = run(surface, horizon, "that the outlines alone take")
+            mesh = run(surface, horizon, "that the outlines require")
             if mesh and mesh.GetNumberOfPolys() > 0:
                 self.assertLessEqual(mesh.GetNumberOfPolys(), most, f"seed {seed}")
                 told = {name: bound_check.value(mesh, name) for name in (

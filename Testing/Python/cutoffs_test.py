@@ -240,7 +240,7 @@ class CutoffsTest(unittest.TestCase):
         alone = sh.Lines(["Alone"], [fault.sticks(survey).lines[0]], ["1"], direction="up")
         bent = Fault("Bent", offset=lambda s, z: np.sqrt(np.maximum(0.0, 1200.0 ** 2 - s ** 2)) - 900.0 - 0.5 * (z + 1200.0))
         for faults, text in (([fault.sticks(survey), far.sticks(survey)], "1 of 2 faults (Far) cut no horizon"),
-                             ([fault.sticks(survey), alone], "1 fault sticks (Alone) join no surface"),
+                             ([fault.sticks(survey), alone], "1 fault sticks (Alone) form no surface"),
                              ([fault.sticks(survey), bent.sticks(survey, np.linspace(-1190.0, 1190.0, 15))], "turn too far along strike (Bent)")):
             with self.assertWarnsRegex(UserWarning, text.replace("(", r"\(").replace(")", r"\)")):
                 sh.cutoffs(horizon, faults)

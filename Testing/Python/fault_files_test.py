@@ -194,7 +194,7 @@ class FaultFiles(unittest.TestCase):
         alone = "Lonely,0,%.2f,%.2f,1400\nLonely,0,%.2f,%.2f,1600\n" % (*on_map(30, 30), *on_map(31, 30))
         shallow = "".join("Shallow,%d,%.2f,%.2f,%d\n" % (n, *on_map(50, 20 + 9 * n), z) for n in range(3) for z in (100, 200))
         far = "".join("Far,%d,%.2f,%.2f,%d\n" % (n, *on_map(5000, 20 + 9 * n), z) for n in range(3) for z in (1400, 1600))
-        for added, words in ((alone, ("1 of 22 fault sticks (Lonely) join no surface",)),
+        for added, words in ((alone, ("1 of 22 fault sticks (Lonely) form no surface",)),
                              (shallow, ("1 of 4 faults (Shallow) cut nothing", "of another unit or direction")),
                              (far, ("1 of 4 faults (Far) cut nothing", "of another coordinate system"))):
             with self.subTest(words[0]):
@@ -247,9 +247,9 @@ class FaultFiles(unittest.TestCase):
                                         (whole, {"columns": "X Y"}, "expected X, Y and Z"),
                                         (whole, {"columns": "X X Y Z Stick"}, "each once"),
                                         (iesx()[:-4], {}, "expected EOD"),
-                                        ("Fault,Northing,Easting,Depth\nA,6,5,1,7\nA,6,6,2,7\n", {}, "5 fields below 4 names of columns, expected as many"),
-                                        ("Fault Northing Easting Depth\nMain A 6 5 1\nMain A 6 6 2\n", {}, "5 fields below 4 names"),
-                                        ("Northing,Easting,Depth,Fault\n6,5,1\n6,6,2\n", {}, "3 fields below 4 names"),
+                                        ("Fault,Northing,Easting,Depth\nA,6,5,1,7\nA,6,6,2,7\n", {}, "5 fields below 4 column names, expected one field for each"),
+                                        ("Fault Northing Easting Depth\nMain A 6 5 1\nMain A 6 6 2\n", {}, "5 fields below 4 column names"),
+                                        ("Northing,Easting,Depth,Fault\n6,5,1\n6,6,2\n", {}, "3 fields below 4 column names"),
                                         ("", {}, "expected fault lines")):
             with self.subTest(words):
                 with self.assertRaises(ValueError) as caught:
@@ -280,6 +280,22 @@ class FaultsOut(unittest.TestCase):
                     if ending != ".pol":
                         self.assertEqual(sorted(sticks.names), sorted(given.names))
                         self.assertEqual(sorted(traces.names), sorted(found.traces.names))
+
+    def test_units(self):
+        """Headers have the unit of z. Sticks in another one than the horizon are refused, and so are files of two units."""
+        horizon = dataclasses.replace(HORIZON, vertical_unit="ms")
+        given = sh.read_faults(write("units.csv", FILES[0][1]))
+        for ending in (".dat", ".csv", ".pl"):
+            with self.subTest(ending):
+                sticks = self.again(dataclasses.replace(given, vertical_unit="m"), ending)
+                self.assertEqual((sticks.vertical_unit, sticks.vertical_domain), ("m", "depth"))
+                for use in (lambda lines: sh.faults(horizon, lines=lines, are_sticks=True), lambda lines: sh.cutoffs({"Top": horizon}, lines)):
+                    with self.assertRaisesRegex(ValueError, 'VerticalDomain "depth", expected "time"'):
+                        use(sticks)
+                sh.faults(horizon, lines=sticks)  # traces on the map need no z
+                sh.write(dataclasses.replace(given, vertical_unit="ms"), FOLDER / ("ms" + ending))
+                with self.assertRaisesRegex(ValueError, "ms%s: z in ms, expected m as in " % ending):
+                    sh.read_faults([FOLDER / ("out" + ending) / ("lines" + ending), FOLDER / ("ms" + ending)])
 
     def test_names(self):
         """In links, lines and surfaces, and in files of the command."""

@@ -129,7 +129,7 @@ FAULTS_OUT = {"table": (".dat", b"# \"Fault"), "CSV": (".csv", b"\"Fault\","), "
 
 def programs():
     """The cells of the table: column, and name of the format."""
-    text = PAGE.read_text(encoding="utf-8").split("What to use with which program", 1)[1].split("\n\n", 2)[1]
+    text = PAGE.read_text(encoding="utf-8").split("## Formats by program", 1)[1].split("\n\n", 2)[1]
     head, _, *rows = ([cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines())
     return [(column, name) for row in rows for column, cell in zip(head[1:], row[1:]) for name in cell.split(", ") if name != "-"]
 

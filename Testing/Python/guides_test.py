@@ -373,7 +373,7 @@ class GuidesTest(unittest.TestCase):
         cube.lattice = dataclasses.replace(cube.lattice, lines=None)
         self.assertEqual({name: len(one) for name, one in package.extract(cube, path).items()}, {name: len(one) for name, one in in_python.items()})
         path.write_text("Horizon Inline Crossline Z\nA 1001 2001 300\n")
-        with self.assertRaisesRegex(ValueError, "tops.dat: line numbers alone for a cube that has none, expected x and y"):
+        with self.assertRaisesRegex(ValueError, "tops.dat: only line numbers for a cube that has none, expected x and y"):
             package.extract(cube, path)
 
     def test_bad_picks_are_named(self):

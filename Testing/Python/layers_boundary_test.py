@@ -256,7 +256,7 @@ class BoundaryTest(unittest.TestCase):
         self.assertIn("# layer 2: Roof to Sand, sublayer 2\n", text)
         self.assertIn("  NLAY 9\n", text)
         writer.SetInputDataObject(self.made["pinched", 1][0].cells)
-        with self.assertRaisesRegex(ValueError, "that are not over each other, expected layers as Horizon Layers makes them without Tetrahedra"):
+        with self.assertRaisesRegex(ValueError, "that are not above each other, expected layers as Horizon Layers makes them without Tetrahedra"):
             sh.update(writer)
 
     def test_errors(self):

@@ -237,7 +237,7 @@ class LayersWriterTest(unittest.TestCase):
                 (without, "inp", "no cell data array Triangle of one number, expected layers"),
                 (points, "msh", "coordinate nan of point 2, expected a finite number"),
                 (below, "msh", "layer 4 of cell 0, expected 0 to 0"),
-                (apart, "disv", "cells of triangle 0 that are not over each other, expected layers"),
+                (apart, "disv", "cells of triangle 0 that are not above each other, expected layers"),
                 (tilted, "disv", "whose sides are not vertical, expected layers"),
                 (mesh_checks.with_text(few, "VerticalDomain", "time"), "disv",
                  "layers in time, expected depths: convert the horizons before"),

@@ -16,26 +16,26 @@ KNOWN = {
          "folder \"...\" does not exist",  # no word "expected"
          "point ... at (..., ...) in lattice units, expected whole columns, as points have them before they are "
          "merged"],  # in a branch
-    "FaultLinesReader": ["\"...\", expected END of the GOCAD object"],
-    "GOCADTSurfReader": ["end of file, expected END of the GOCAD object of line ..."],  # by a function
-    "HorizonDecimation": ["maximum number of triangles ..., expected at least the ... that the outlines alone take"],
+    "FaultLines": ["\"...\", expected END of the GOCAD object",
+                   "... ... with a point at (...) in ..., expected finite numbers"],  # in several statements
+    "HorizonFaults": ["none of ... fault polylines passes between columns of a horizon, expected lines in the coordinates "
+                      "of its points: ..."],  # a warning
+    "GOCADTSurf": ["end of file, expected END of the GOCAD object of line ..."],  # by a function
+    "HorizonDecimation": ["maximum number of triangles ..., expected at least the ... that the outlines require"],
     "HorizonDespiking": ["spur width ..., expected 0 to ... columns"],  # by a check
-    "HorizonFaults": ["... ... with a point at (...) in ..., expected finite numbers",  # in several statements
-                      "none of ... fault polylines passes between columns of a horizon, expected lines in the "
-                      "coordinates of its points: ..."],  # a warning
-    "HorizonGridWriter": ["places are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
-    "HorizonTextReader": ["column 1 counts lines, expected coordinates or line numbers: name the columns in Columns, such "
+    "HorizonGrid": ["coordinates are rounded to single precision, by up to ...; IRAP text keeps them"],  # a warning
+    "HorizonText": ["column 1 numbers the lines, expected coordinates or line numbers: name the columns in Columns, such "
                           "as Inline, Crossline, X, Y, Z"],  # with a constant
     "HorizonTriangulation": ["no surface to the left of the edge from point ... to point ..., expected closed boundary "
                              "loops with the surface to their right"],
-    "SEGYCubeReader": ["... traces at places of others: these are dead"],  # one of four
-    "VerneySparseMatrixReader": ["header \"...\", expected three positive integers \"nX nY nZ\" below 2^31"],
-    "VerneySparseMatrixWriter": ["two horizons with the surface ID ..., expected one ID for each"],
+    "SEGYCube": ["... duplicate traces: dead ones are not used"],  # one of four
+    "VerneySparseMatrix": ["two horizons with the surface ID ..., expected one ID for each",
+                           "header \"...\", expected three positive integers \"nX nY nZ\" below 2^31"],
     "Report": ["there is no horizon ...; the file has ...", "... requires --layers"],
     "InPython": ["values of shape ..., expected ... of the lattice"],
 }
 CODE = r"std::|->|<<|==|[{}\\]|\w\(\)|(?<!ZMAP)\+|%[sdg\d(.]|\.{4}|\b(?:to_string|text|nullptr|const)\b[.(]"
-FEWEST = {"": 60, "HorizonGridReader": 40, "HorizonTextReader": 55, "SEGYCubeReader": 45, "Report": 35, "InPython": 18,
+FEWEST = {"": 60, "HorizonGrid": 40, "HorizonText": 55, "SEGYCube": 45, "Report": 35, "InPython": 18,
           "SeismicReflectionExtraction": 35, "HorizonTriangulation": 15}
 
 

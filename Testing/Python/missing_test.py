@@ -95,7 +95,7 @@ class MissingTest(unittest.TestCase):
             self.assertAlmostEqual((volumes(made[policy]).sum() + without) / whole, 1.0, delta=0.001, msg=policy)
         with self.assertWarnsRegex(UserWarning, "A to B without .* % of its area .volume .*, expected all between its horizons"):
             make([top, middle, base], Missing="Void", **keywords)
-        with self.assertWarnsRegex(UserWarning, "A to B with heights that were not read over a part of its area"):
+        with self.assertWarnsRegex(UserWarning, "A to B with interpolated heights over part of its area"):
             default = make([top, middle, base], **keywords)
         self.assertEqual(default.figures, made["Follow"].figures)
         return made

@@ -54,14 +54,8 @@ class OptionsTest(unittest.TestCase):
         text = sh.make("vtkHorizonTextReader", **{name: value for name, value in reader.items() if name != "StrayPicks"})
         self.assertEqual(text.GetSecondCorner(), (4, 5, 6, 7))
         self.assertLess(reader.keys(), set(reading.PROPERTIES["text"]))
-
-    def test_old_names(self):
-        """Options of version 0.2 are taken, and not in the help."""
-        self.assertEqual(self.settings("--elevation", "RealZ").reader, self.settings("--z-from", "RealZ").reader)
         self.assertEqual(self.settings("--z-from", "RealZ").reader, {"ZFrom": "RealZ"})
-        self.assertEqual(self.settings("--stages", "--hole-boundaries").boundary, {"KeepHoles": True})
-        for name in ("elevation", "hole-boundaries"):
-            self.assertNotIn(name, horizon_mesh.make_parser().format_help())
+        self.assertEqual(self.settings("--stages", "--keep-holes").boundary, {"KeepHoles": True})
 
     def test_names_of_options(self):
         """Properties come from options that there are; another name would never be given, without a word."""
@@ -208,7 +202,7 @@ class OptionsTest(unittest.TestCase):
         words = ("--despike", "2", "--cut-faults", "3 ms", "--fill-holes", "9", "--measure-error", "--distance-unit", "World",
                  "--samples-per-point", "3", "--close-faults", "--minimum-patch-size", "9", "--growth-strategy", "Distance",
                  "--radius", "2", "--outline-tolerance", "1", "--distance-threshold", "1", "--smallest-hole-size", "9")
-        of_stages = ("--stages", "--hole-boundaries", "--bound-deviation", "--fewest-outline-points", "--cell-size", "4", "--elaborate",
+        of_stages = ("--stages", "--keep-holes", "--bound-deviation", "--fewest-outline-points", "--cell-size", "4", "--elaborate",
                      "--elaborate-cell-size", "5", "--flatness-threshold", "1", "--representative", "NearestPoint")
         of_surface = ("--largest-error", "2 ms", "--layers", "--crossings", "Mean", "--order", "AsGiven", "--missing", "Void",
                       "--sublayers", "1,3", "--tetrahedra")

@@ -108,7 +108,7 @@ class PlacesTest(unittest.TestCase):
             found = sh.horizon(points=points, name=name, duplicates="sheets")
             self.assertEqual(list(found), names)
             self.assertEqual([(len(one), len(set(one.z))) for one in found.values()], [(1400, 1)] * 2)
-        with self.assertWarnsRegex(UserWarning, "400 of 2400 columns with several z, up to 30 apart: duplicates says which is kept"):
+        with self.assertWarnsRegex(UserWarning, "400 of 2400 columns have several z, up to 30 apart: duplicates chooses which is kept"):
             kept = sh.horizon(points=points)
         self.assertEqual((len(kept), kept.left_out), (2400, {"duplicates": 400}))
         for policy, z in (("topmost", 100.0), ("lowest", 130.0), ("mean", 115.0)):
@@ -143,7 +143,7 @@ class PlacesTest(unittest.TestCase):
                 self.assertLess(sh.surface(top, 5.0).points[:, 2].max(), 0.0)
         z = -z
         z[0, 0] = 1.0
-        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, so that these may be elevations or depths"):
+        with self.assertWarnsRegex(UserWarning, "2399 of 2400 z are negative, so z may be elevation or depth"):
             self.assertEqual(sh.horizon(z).direction, "down")
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -163,7 +163,7 @@ class ObjectsTest(unittest.TestCase):
             np.testing.assert_allclose(top.lattice.row_step, 50.0 * flip * np.array((-np.sin(angle), np.cos(angle))), atol=1e-9)
             np.testing.assert_array_equal(top.grid(), dome())
             self.assertEqual(top.name, "Reek")
-            with self.assertRaisesRegex(ValueError, "origin for a surface of xtgeo, which has a place of its own, expected none"):
+            with self.assertRaisesRegex(ValueError, "origin for a surface of xtgeo, which has its own position, expected none"):
                 sh.horizon(surface, origin=(0, 0))
 
     def test_tables(self):

@@ -162,10 +162,17 @@ def check_cycles(rooms):
 
 
 def check_versions(tree):
-    """The version of the project is the same everywhere."""
-    own = {re.search(pattern, (tree / name).read_text(encoding="utf-8")).group(1) for name, pattern in (
-        ("CMakeLists.txt", r"\n  VERSION ([\d.]+)\n"), ("CITATION.cff", r"\nversion: ([\d.]+)\n"))}
-    return ["versions %s, expected the same" % " and ".join(sorted(own))] if len(own) > 1 else []
+    """The version of the project, or its first two numbers, is the same wherever it is written."""
+    def said(name, pattern):
+        return re.search(pattern, (tree / name).read_text(encoding="utf-8"), re.MULTILINE).group(1)
+    own = said("CMakeLists.txt", r"^  VERSION ([\d.]+)$")
+    found = [(name, said(name, pattern)) for name, pattern in (
+        ("CITATION.cff", r"^version: (.+)$"), ("CHANGELOG.md", r"^## (\d.+)$"),
+        ("Documentation/Install.md", r"libvtkseismichorizons(\d[\d.]*)"),
+        ("Documentation/Example/CMakeLists.txt", r"\(SeismicHorizons (\S+)"),
+        ("Testing/Install/Consumer/CMakeLists.txt", r"\(SeismicHorizons (\S+)"))]
+    return ["%s: version %s, expected that of CMakeLists.txt, %s" % (name, version, own) for name, version in found
+            if version not in (own, own.rpartition(".")[0])]
 
 
 def main():

@@ -141,7 +141,7 @@ class SealedTest(unittest.TestCase):
         graben = Graben()
         horizons, faults = graben.horizons(), graben.sticks()
         _, said = sealed(horizons, faults, endings="")
-        self.assertIn("endings that were chosen", said)
+        self.assertIn("endings chosen automatically", said)
         model, said = sealed(graben.horizons(lambda _, z: np.where((graben.u > 300.0) & (graben.u < 600.0), np.nan, z)), faults)
         self.assertIn("A continued over", said)
         self.assertEqual(set(model.guessed), {0, 1})
@@ -250,7 +250,7 @@ class SealedTest(unittest.TestCase):
         self.assertEqual(len(sealed(graben.horizons(), level)[0]), 8)  # Sticks of both faults end at one height, above A and below C.
         short = sh.Lines(["F1"] * 3, [line for line in sticks.lines[4:7]], direction="up", vertical_unit="m")
         longer, said = sealed(horizons, short, endings="")
-        self.assertRegex(said, r"faults that picks continue beyond their sticks \(F1 by [23][0-9][0-9]")
+        self.assertRegex(said, r"faults whose throw continues beyond their sticks \(F1 by [23][0-9][0-9]")
         self.assertEqual(len(longer), 4)
 
     def test_upright_faults(self):
@@ -272,18 +272,18 @@ class SealedTest(unittest.TestCase):
         twice = sh.Lines(faults.names + ["F3"] * 9, faults.lines + faults.lines[:9], direction="up", vertical_unit="m")
         in_time = sh.Lines(faults.names, faults.lines, direction="up", vertical_unit="ms", vertical_domain="time")
         for given, sticks, options, text in (
-                (horizons, faults, {"endings": "F9 > F1"}, "fault F9, expected the name of a fault"),
-                (horizons, faults, {"endings": "F2 > F1; F1 > F2"}, "expected rules without circles"),
+                (horizons, faults, {"endings": "F9 > F1"}, "fault F9 in Endings, expected the name of a given fault"),
+                (horizons, faults, {"endings": "F2 > F1; F1 > F2"}, "expected rules without cycles"),
                 (horizons, faults, {"endings": "F2, F1"}, "ending F2, F1, expected a fault, >"),
                 (horizons, faults, {"unconformities": "D"}, "unconformity D, expected the name of a horizon"),
-                (horizons, faults, {"unconformities": "A"}, "unconformities that no fault ends at"),
+                (horizons, faults, {"unconformities": "A"}, "unconformities at which no fault ends"),
                 (horizons, faults, {"largest_error": 0.0}, "maximum error 0, expected more"),
                 (horizons, twice, {}, "within a column of F1, expected one of them"),
                 (graben.horizons(vertical_unit="ms"), in_time, {}, "horizons in time, expected depth"),
                 (graben.horizons(spacing=None, azimuth=None, column_step=(25.0, 0.0), row_step=(8.0, 20.0)), faults, {}, "degrees, expected 90")):
             with self.subTest(text), self.assertRaisesRegex(ValueError, text):
                 sealed(given, sticks, **options)
-        with self.assertRaisesRegex(ValueError, "known from one horizon each"):
+        with self.assertRaisesRegex(ValueError, "each detected in a single horizon"):
             sealed(horizons, {name: sh.faults(horizon) for name, horizon in horizons.items()}, endings="", dip=60.0)
 
     def test_stopped(self):

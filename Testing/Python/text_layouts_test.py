@@ -234,18 +234,18 @@ def refused_layouts():
     yield "several unknown names", Layout("il xl x y z", head="Ligne;Trace;X;Y;Valeur", separator=";",
                                           refused="could both be Z")
     yield "a counter first", Layout("id il xl x y z", refused="look like line numbers")
-    yield "a counter first, lines alone", Layout("id il xl z", points=LINES, refused="counts lines")
-    yield "a counter before z", Layout("il xl id z", points=LINES, refused="counts lines")
+    yield "a counter first, lines alone", Layout("id il xl z", points=LINES, refused="numbers the lines")
+    yield "a counter before z", Layout("il xl id z", points=LINES, refused="numbers the lines")
     yield "a constant before z", Layout("il xl x y 1 z", refused="the same in all lines")
-    yield "a zero between lines and places", Layout("il xl 0 x y z", refused="like their places")
-    yield "z between lines and places", Layout("il xl z x y", refused="like their places")
-    yield "whole local places", Layout("x y z", survey=EVEN, formats=WHOLE, refused="line numbers or places")
+    yield "a zero between lines and places", Layout("il xl 0 x y z", refused="like their coordinates")
+    yield "z between lines and places", Layout("il xl z x y", refused="like their coordinates")
+    yield "whole local places", Layout("x y z", survey=EVEN, formats=WHOLE, refused="line numbers or coordinates")
     yield "line numbers by tens", Layout("il xl z", survey=Survey(line_steps=(1, 10)), points=LINES,
                                          refused="steps of 10")
     yield "touching", Layout("il xl xy z", formats={"xy": str}, refused="expected blanks between numbers")
     yield "a name in each line", Layout("names x y z", head="horizon x y z", formats={"names": str}, refused="several picks")
     yield "a name in some lines", Layout("some x y z", head="horizon,x,y,z", separator=",", refused="no name of a horizon")
-    yield "a line that counts", Layout("il xl z", head="16 20 299", points=LINES, refused="seems to count",
+    yield "a line that counts", Layout("il xl z", head="16 20 299", points=LINES, refused="seems to be the number",
                                        survey=Survey(first=(1, 1), line_steps=(1, 1)))
     yield "many columns", Layout("x y z " + 1000 * "7 ", refused="at most 1000")
     yield "two candidates for z", Layout("x y z amp", head="X Y TWT DEPTH", refused="expected one")

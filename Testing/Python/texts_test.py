@@ -98,7 +98,7 @@ ELEMENTS = """<SourceProxy>
 <IntVectorProperty name="Count" command="GetCount" number_of_elements="1" information_only="1" default_values="0"
 panel_visibility="never" label="Rows"/>
 <PropertyGroup label="All"><Property name="RowWidth"/><Property name="Kind"/><Property name="On"/></PropertyGroup></SourceProxy>"""
-PAGE = "# A page\n\n| Property | Default | Range | Unit | Meaning |\n| --- | --- | --- | --- | --- |\n| old |\n\nMore.\n"
+PAGE = "# A page\n\n<!-- %s -->\n\n| Property | Default | Range | Unit | Meaning |\n| --- | --- | --- | --- | --- |\n| old |\n\nMore.\n"
 ROWS = """| RowWidth | 4.5 | 0.5 to 1e3 | `WidthUnit` | How far, in the array `RowCount`. |
 | Kind | ByRow | ByRow (0, "By Rows"), Column2 (1, "Column 2") | - | What is done with `RowWidth`, as in [Number Two](Two.md). ByRow: rows. \
 Column2: columns. See [Some kinds](#some-kinds). |
@@ -117,8 +117,8 @@ class TextsTest(unittest.TestCase):
         files = {"Filters/vtkBase.h": BASE, "Filters/vtkOne.h": ONE, "ParaViewPlugin/Both.xml": XML,
                  "Filters/vtkTwo.h": BASE.replace("vtkBase", "vtkTwo").replace("vtkObject", "vtkBase"),
                  "Filters/vtkThree.h": ONE.replace("vtkOne", "vtkThree"), "ParaViewPlugin/Bases.xml": BASES,
-                 "Documentation/One.md": PAGE, "Documentation/Two.md": PAGE, "Documentation/Bases.md": PAGE,
-                 "Documentation/Three.md": PAGE.replace("More", "More in [Bases](Bases.md)")}
+                 "Documentation/One.md": PAGE % "One", "Documentation/Two.md": PAGE % "Two", "Documentation/Bases.md": PAGE % "Base",
+                 "Documentation/Three.md": (PAGE % "Three").replace("More", "More in [Bases](Bases.md)")}
         for name, text in files.items():
             self.write(name, text)
         self.program = FOLDER / "Utilities" / "CMake" / PROGRAM.name
@@ -184,7 +184,7 @@ class TextsTest(unittest.TestCase):
     def test_the_page_has_code_and_links(self):
         self.run_program("pages").check_returncode()
         text = (FOLDER / "Documentation" / "One.md").read_text(encoding="utf-8")
-        self.assertEqual(text, PAGE.replace("| old |\n", ROWS))
+        self.assertEqual(text, (PAGE % "One").replace("| old |\n", ROWS))
 
     def test_properties_of_a_base_are_on_its_page_alone(self):
         self.run_program("pages").check_returncode()
@@ -196,7 +196,7 @@ class TextsTest(unittest.TestCase):
         self.assertEqual(set(self.panel()["Three"]), {"Kind", "On"})
 
     def test_a_page_without_a_link_to_the_base_is_an_error(self):
-        self.write("Documentation/Three.md", PAGE)
+        self.write("Documentation/Three.md", PAGE % "Three")
         self.assertIn("Three.md: no link to Bases.md, expected one", self.run_program("pages").stderr)
 
     def test_properties_of_a_base_class_are_on_the_page_that_it_names(self):
@@ -204,19 +204,37 @@ class TextsTest(unittest.TestCase):
         self.write("Filters/vtkBase.h", base.replace("4.5 in vtkOne, 2 in vtkTwo", "4.5"))
         self.write("Filters/vtkTwo.h", ONE.replace("vtkOne", "vtkTwo"))
         self.write("ParaViewPlugin/Both.xml", XML.replace('"Width"/>', '"Width"/><Property name="Kind"/><Property name="On"/>'))
-        self.write("Documentation/Bases.md", "# A page\n\nAll are in [Two](Two.md#properties).\n")
+        self.write("Documentation/Bases.md", "# A page\n\n<!-- Base -->\n\nAll are in [Two](Two.md#properties).\n")
         self.assertIn("One.md: no link to Two.md, expected one", self.run_program("pages").stderr)
-        self.write("Documentation/One.md", PAGE.replace("More", "More in [Two](Two.md#properties)"))
+        self.write("Documentation/One.md", (PAGE % "One").replace("More", "More in [Two](Two.md#properties)"))
         self.run_program("pages").check_returncode()
         rows = {page: (FOLDER / "Documentation" / page).read_text(encoding="utf-8").count("| RowWidth |")
                 for page in ("One.md", "Two.md")}
         self.assertEqual(rows, {"One.md": 0, "Two.md": 1})
         self.assertIn("RowWidth", self.panel()["One"])
+        (FOLDER / "Documentation" / "One.md").unlink()
+        self.write("Documentation/Two.md", PAGE % "Two" + PAGE % "One")
+        self.run_program("pages").check_returncode()
+        text = (FOLDER / "Documentation" / "Two.md").read_text(encoding="utf-8")
+        self.assertEqual((text.count("| RowWidth |"), text.count("| Kind |")), (1, 2))
 
     def test_another_default_in_each_class_keeps_a_property_on_both_pages(self):
         self.write("Filters/vtkBase.h", BASE.replace(" *\n */", " *\n * Its properties are on Two.md.\n */"))
         self.run_program("pages").check_returncode()
         self.assertIn("| RowWidth | 4.5 |", (FOLDER / "Documentation" / "One.md").read_text(encoding="utf-8"))
+
+    def test_a_proxy_without_a_place_is_an_error(self):
+        (FOLDER / "Documentation" / "One.md").unlink()
+        self.assertIn("no page has a line <!-- One -->, expected one", self.run_program("pages").stderr)
+        self.write("Documentation/One.md", PAGE % "Other")
+        self.assertIn("One.md: <!-- Other -->, expected the name of a proxy", self.run_program("pages").stderr)
+
+    def test_a_page_has_several_tables(self):
+        (FOLDER / "Documentation" / "One.md").unlink()
+        self.write("Documentation/Two.md", PAGE % "Two" + PAGE % "One")
+        self.run_program("pages").check_returncode()
+        text = (FOLDER / "Documentation" / "Two.md").read_text(encoding="utf-8")
+        self.assertGreater(text.index("| On | off |"), text.index("<!-- One -->"))
 
     def test_a_setter_without_a_comment_is_an_error(self):
         self.write("Filters/vtkOne.h", ONE.replace("  /// Whether it is on.", "  // Whether it is on."))

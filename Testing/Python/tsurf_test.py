@@ -23,7 +23,7 @@ from seismichorizons_command.core import HorizonError
 
 PROGRAM, DATA, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 INTERPRETER = sys.argv[4:]
-REFUSED = r"z (\S+) and (\S+) at x (\S+), y (\S+), expected one z at each place: a closed body, a fold and a wall are no horizon"
+REFUSED = r"z (\S+) and (\S+) at x (\S+), y (\S+), expected one z at each position: a closed body, a fold or a wall is not a horizon"
 
 
 def lattice(height, n=12, step=10.0):

@@ -127,7 +127,7 @@ REFUSED = [
                                    *local(*LOCAL).splitlines(True)[420:]]), "the farthest, line 421, by"),
     ("two_z", "X Y TWT DEPTH\n" + rows("%.2f %.2f %.2f 7", X, Y, Z), "TWT and DEPTH could both be Z"),
     ("no_z", "X Y THICKNESS\n" + XYZ, "expected Z, and X and Y"),
-    ("carriage_returns", XYZ.replace("\n", "\r"), "carriage returns alone, expected line feeds")]
+    ("carriage_returns", XYZ.replace("\n", "\r"), "carriage returns only, expected line feeds")]
 
 # Name, text, and what the warning says.
 DOUBTED = [
@@ -135,8 +135,8 @@ DOUBTED = [
       for value in (-999, -9999, -32768, 0, 9999)],
     ("null_flat", rows("%.2f %.2f %d", X, Y, np.where(CROSSLINE < 2005, 0, 1500)), "200 of 2000 points with z 0, far from"),
     ("twice", XYZ + rows("%.2f %.2f %.2f", X, Y, Z + 100.0),
-     "twice.dat: 2000 of 2000 columns with several z, up to 100 apart: DuplicatePolicy says which is kept, as Mean for surveys that "
-     "overlap, Sheets for a horizon that overlies itself; for several horizons in one file, name the column that distinguishes "
+     "twice.dat: 2000 of 2000 columns have several z, up to 100 apart: DuplicatePolicy chooses which is kept, such as Mean for "
+     "overlapping surveys, or Sheets for a horizon that overlies itself; for several horizons in one file, name the column that distinguishes "
      "them\n")]
 
 
@@ -221,9 +221,9 @@ class VariantsTest(unittest.TestCase):
     def test_duplicates(self):
         """Counted with those of the same z apart, which are no doubt."""
         moved = np.where((INLINE < 1002) & (CROSSLINE < 2010), 30.0, 0.0)
-        for name, shift, repeats, doubts in (("twice", 100.0 + 0.0 * Z, 0, ["2000 of 2000 columns with several z, up to 100 apart"]),
+        for name, shift, repeats, doubts in (("twice", 100.0 + 0.0 * Z, 0, ["2000 of 2000 columns have several z, up to 100 apart"]),
                                              ("repeated", 0.0 * Z, 2000, []),
-                                             ("some_moved", moved, 1980, ["20 of 2000 columns with several z, up to 30 apart"])):
+                                             ("some_moved", moved, 1980, ["20 of 2000 columns have several z, up to 30 apart"])):
             with self.subTest(name):
                 horizons, _, errors, warnings = self.read(name, XYZ + rows("%.2f %.2f %.2f", X, Y, Z + shift))
                 self.assertEqual((errors, len(warnings)), ([], len(doubts)))

@@ -298,7 +298,7 @@ void WhatUsersShouldKnowIsAWarning()
   Messages ofDamaged(damaged, vtkCommand::WarningEvent);
   damaged->Update();
   CHECK(ofDamaged.WasOne(
-    "nan.sgy: 1 samples of 1e30 or more, or nan, are taken as missing; if they are no nulls, set SampleFormat"));
+    "nan.sgy: 1 samples of 1e30 or more, or nan, are read as missing; if they are valid, set SampleFormat"));
 }
 
 void WorkStopsOnRequest()

@@ -63,7 +63,7 @@ void BentLinesAreTheSecondOutput()
   reader->SetSampleRange(1, 3);
   Messages warnings(reader, vtkCommand::WarningEvent);
   reader->Update();
-  CHECK(warnings.WasOne("the second output has the traces of the line where they are"));
+  CHECK(warnings.WasOne("the second output has the traces of the line at their true positions"));
   auto* const line = vtkStructuredGrid::SafeDownCast(reader->GetOutputDataObject(1));
   if (!CHECK(line && line->GetNumberOfPoints() == 45))
   {

@@ -115,7 +115,7 @@ void ZCanBeReal()
   reader->SetZFromToVerticalIndex();
   reader->Update();
   CHECK(GetHorizon(reader, 1)->GetPoint(1)[2] == -12.0);
-  reader->SetElevationToRealZ(); // the name before
+  reader->SetZFromToRealZ();
   CHECK(reader->GetZFrom() == vtkVerneySparseMatrixReader::RealZ);
 }
 
@@ -240,6 +240,14 @@ void SheetsAreHorizons()
   reader->SetHorizonStatus("Horizon 3", 0); // the file is read again, with the same sheets
   reader->Update();
   CHECK(GetHorizon(reader, 0)->GetPoint(0)[2] == -15.0);
+  reader->SetHorizonStatus("Horizon 3", 1);
+  const auto dropped = [&reader](unsigned n)
+  { return GetHorizon(reader, n)->GetFieldData()->GetArray("DroppedDuplicates")->GetTuple1(0); };
+  reader->Update();
+  CHECK(dropped(0) == 0.0 && dropped(1) == 0.0);
+  reader->SetSmallestHorizonSize(3);
+  reader->Update();
+  CHECK(reader->GetNumberOfHorizons() == 1 && dropped(0) == 2.0);
   Messages errors(reader);
   reader->LeastMemoryOn();
   reader->Update();

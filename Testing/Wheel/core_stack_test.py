@@ -191,6 +191,18 @@ class ThesisTest(unittest.TestCase):
 
 
 class SeveralTest(unittest.TestCase):
+    def test_tiles_fit_at_their_border(self):
+        j, i = np.mgrid[0:61, 0:50]
+        z = 900.0 + 30.0 * np.sin(i / 7.0) * np.cos(j / 9.0) + np.random.default_rng(4).normal(0.0, 0.3, i.shape)
+
+        def border(rows, **options):
+            points = sh.surface(sh.horizon(np.where(rows(j), z, np.nan), spacing=(25.0, 25.0), vertical_step=0.5), 2.0, **options).points
+            return np.array(sorted(map(tuple, points[points[:, 1] == 750.0])))
+
+        for options, is_equal in (({"radius": 1, "outline_tolerance": 0, "distance_threshold": 0}, True), ({}, False)):
+            one, other = (border(rows, **options) for rows in (lambda j: j <= 30, lambda j: j >= 30))
+            self.assertEqual(np.array_equal(one, other) and len(one) == 50, is_equal)
+
     def test_one_file_of_several(self):
         two = {name: sh.horizon(noisy(seed), attributes={"amplitude": noisy(seed)}, vertical_unit="ms", **PLACE) for name, seed in (("Top", 1), ("Base", 2))}
         sh.write(two, FOLDER / "two.dat")

@@ -71,7 +71,8 @@ void TurnedLatticesAreResampledForZmap()
 {
   const auto picks = ReadPicks(MakePicks("Top", false));
   const auto found = WriteAndRead(picks->GetOutput(), "turned.zmap",
-    "turned.zmap: Top: the format has no rotation: resampled on a lattice along the axes of 8 x 8 nodes; IRAP keeps the "
+    "turned.zmap: Top: the format has no rotation: resampled on a lattice along the axes of 8 x 8 nodes; IRAP keeps "
+    "the "
     "lattice");
   CHECK(found->GetNumberOfPoints() > 10 && found->GetNumberOfPoints() < 35);
   for (vtkIdType point = 0; point < found->GetNumberOfPoints(); ++point)
@@ -105,7 +106,7 @@ void BinaryGridsComeBack()
     moved->GetPoints()->SetPoint(point, place[0], place[1] + 0.2, place[2]);
   }
   CheckSamePlaces(
-    moved, WriteAndRead(moved, "rounded.gri", "places are rounded to single precision, by up to 0.2"), 0.25);
+    moved, WriteAndRead(moved, "rounded.gri", "coordinates are rounded to single precision, by up to 0.2"), 0.25);
   WriteAndRead(moved, "kept.irap", "");
 }
 
@@ -208,7 +209,7 @@ void WhatCanNotBeIsRefused()
   huge->DeepCopy(horizon);
   huge->GetPointData()->GetArray("Attribute 1")->SetTuple1(0, 2e30);
   vtkNew<vtkHorizonTextWriter> tooLarge;
-  CheckRefused(tooLarge, huge, "Attribute 1 of 1e30 or more, which stands for no value; expected less");
+  CheckRefused(tooLarge, huge, "Attribute 1 of 1e30 or more, which means no value; expected less");
 }
 
 /// What breaks the rules of VTK, or of the data model.

@@ -112,7 +112,7 @@ void WrongInputGivesOneErrorEach()
     }
     CHECK_EQUAL(ReadText(path), "as it was");
   };
-  check([](vtkPolyData* surfaces) { surfaces->Initialize(); }, "0 polygons of 0 cells, expected triangles alone");
+  check([](vtkPolyData* surfaces) { surfaces->Initialize(); }, "0 polygons of 0 cells, expected only triangles");
   check(
     [](vtkPolyData* surfaces)
     {
@@ -121,7 +121,7 @@ void WrongInputGivesOneErrorEach()
       surfaces->SetLines(lines);
       surfaces->GetCellData()->Initialize();
     },
-    "7 polygons of 8 cells, expected triangles alone");
+    "7 polygons of 8 cells, expected only triangles");
   check(
     [](vtkPolyData* surfaces)
     {

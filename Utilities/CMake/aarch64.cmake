@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Builds for 64-bit ARM with Debian's cross compiler; qemu-user runs what comes out. Libraries for it are unpacked into
-# build/arm64 (Documentation/Versions.md), headers that are the same everywhere come from the system.
+# build/arm64 (Documentation/Install.md), headers that are the same everywhere come from the system.
 
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)

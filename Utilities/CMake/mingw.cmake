@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Builds for Windows with Debian's cross compiler; Wine runs what comes out. zlib for it is a package
-# (Documentation/Versions.md).
+# (Documentation/Install.md).
 
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR AMD64)

@@ -16,12 +16,12 @@ code and links. 'See "Faults" in HorizonFaults.md.' becomes a link on the page a
 without a method of its own (an input) has its text in the XML file, in the same form. The brief of a class is the short
 help of its proxy.
 
-The table on the page of a proxy lists the proxy's own properties. Properties of a base are listed on the page with the
-name of the base's XML file, and the proxy's page links to it. A file with several bases has a page with a table for each
-base. A proxy without properties of its own has no table.
+The page of a proxy has a line '<!-- HorizonSurface -->' with its name, and below it the table of the proxy's own
+properties. Properties of a base have a table of their own, and the pages of its proxies link to it if it is on another
+one. A proxy without properties of its own has no table.
 
-If the comment of a base class says 'Its properties are on HorizonSurface.md.', its properties are only in the table of
-that page, and other pages link to it. A property whose default differs between classes is on the page of each class.
+If the comment of a base class says 'Its properties are on HorizonSurface.md.', its properties are only in the first table
+of that page that has them, and other pages link to it. A property whose default differs between classes is on the page of each class.
 
 The plugin has two proxies of each reader: the one in the XML file and a copy under another name. ParaView asks readers
 for a file in alphabetical order of these names and takes the first that accepts it. The copy comes before all readers of
@@ -45,6 +45,8 @@ NAME = r"(?<!array )(?<!field data )\b[A-Z]\w*\b"
 COMPOUND = r"[A-Z]\w*[a-z0-9][A-Z]\w*$|[A-Z]{2}[a-z]{2}\w*$"
 FIRST = "ByContent"  # prefix of the copy of a reader proxy
 SEE = r'See "([^"]+)" in (\w+\.md)\.'
+PLACE = r"^<!-- (\w+) -->\n\n"
+TABLE = r"(?:\| %s \|\n(?:\|.*\n)*)?" % r" \| ".join(COLUMNS)
 
 Text = collections.namedtuple("Text", "meaning unit range default")
 Header = collections.namedtuple("Header", "base brief page texts values methods")
@@ -89,9 +91,9 @@ def read_header(path):
 
 
 class Proxy:
-    """A proxy of the plugin with its properties, base properties first. `file` is the stem of its XML file."""
+    """A proxy of the plugin with its properties, base properties first. `places` are the pages of proxies."""
 
-    def __init__(self, element, proxies, file):
+    def __init__(self, element, proxies, places):
         self.base = proxies.get(element.get("base_proxyname"))
         self.name = element.get("name")
         self.class_name = element.get("class") or "vtk" + self.name  # a base has the name of its class
@@ -100,7 +102,7 @@ class Proxy:
         self.element = element
         self.own = [e for e in element if e.tag.endswith("Property")]
         self.properties = (self.base.properties if self.base else []) + self.own
-        self.page = (file if self.is_base else self.name) + ".md"
+        self.page = places.get(self.name)
 
 
 def first_asked(element):
@@ -130,6 +132,8 @@ class Texts:
         self.headers = {path.stem: read_header(path) for folder in folders for path in (tree / folder).rglob("vtk*.h")}
         self.files = {}
         self.proxies = {}
+        self.places = {name: path.name for path in self.documentation.glob("*.md")
+                       for name in re.findall(PLACE, path.read_text(encoding="utf-8"), re.M)}
         waiting = [(path, ElementTree.parse(path)) for path in sorted((tree / "ParaViewPlugin").glob("*.xml"))]
         waiting.sort(key=lambda entry: entry[1].find("ProxyGroup[@name='horizon_bases']") is None)  # bases first
         for path, document in waiting:
@@ -141,7 +145,7 @@ class Texts:
                     if element.get("class"):
                         base = self.proxies.get(element.get("base_proxyname"))
                         expander.add_unnamed({prop.get("command") for prop in base.properties} if base else set())
-                    self.proxies[element.get("name")] = Proxy(element, self.proxies, path.stem)
+                    self.proxies[element.get("name")] = Proxy(element, self.proxies, self.places)
         self.of_class = {proxy.class_name: proxy for proxy in self.proxies.values() if not proxy.is_base}
 
     def lineage(self, class_name):
@@ -162,10 +166,10 @@ class Texts:
         """Returns the header with the text of a property; None if it has none."""
         return next((header for header in self.lineage(proxy.class_name) if prop.get("command") in header.texts), None)
 
-    def other_page(self, proxy, prop):
-        """Returns the page that lists a property instead of the page of its proxy; None for most properties."""
+    def base_page(self, proxy, prop):
+        """Returns the page that the base class of a property names; None for most properties."""
         header = self.header_of(proxy, prop)
-        if not header or header.page in (None, proxy.page):
+        if not header or not header.page:
             return None
         return None if " in vtk" in (split_facts(header.texts[prop.get("command")]).default or "") else header.page
 
@@ -247,32 +251,37 @@ class Texts:
 
         return [prop.get("name"), text.default, reach or "-", cell(text.unit or "-"), cell(text.meaning)]
 
-    def table(self, proxy):
-        """Returns the table of a proxy; empty without rows."""
-        own = [prop for prop in proxy.own if not self.other_page(proxy, prop)]
+    def table(self, proxy, listed):
+        """Returns the table of a proxy; empty without rows. `listed` has the properties of bases that the page has so far."""
+        own = [prop for prop in proxy.own if self.base_page(proxy, prop) is None
+               or (self.base_page(proxy, prop) == proxy.page and prop.get("command") not in listed)]
+        listed.update(prop.get("command") for prop in own if self.base_page(proxy, prop))
         rows = [row for row in (self.row(proxy, prop) for prop in own) if row]
         lines = [COLUMNS, ["---"] * len(COLUMNS)] + rows if rows else []
         return "".join("| %s |\n" % " | ".join(line) for line in lines)
 
     def pages(self):
         """Yields each page with tables of properties and its updated content."""
+        for name in self.places.keys() - self.proxies.keys():
+            sys.exit("%s: <!-- %s -->, expected the name of a proxy" % (self.places[name], name))
         proxies = {}
         for proxy in self.proxies.values():
             proxies.setdefault(proxy.page, []).append(proxy)
         for page, on_it in proxies.items():
+            if not page:
+                sys.exit("no page has a line <!-- %s -->, expected one" % on_it[0].name)
             path = self.documentation / page
             text = path.read_text(encoding="utf-8")
-            pattern = r"^\| %s \|\n(?:\|.*\n)*" % r" \| ".join(COLUMNS)
-            count = len(re.findall(pattern, text, re.M))
-            tables = [table for table in map(self.table, on_it) if table]
-            if count != len(tables):
-                sys.exit("%s: %d tables of properties, expected %d" % (page, count, len(tables)))
-            others = {self.other_page(proxy, prop) for proxy in on_it for prop in proxy.own} - {None}
-            for base in {proxy.base.page for proxy in on_it if proxy.base} - {page} | others:
+            others = {self.base_page(proxy, prop) for proxy in on_it for prop in proxy.own} - {None}
+            for base in ({proxy.base.page for proxy in on_it if proxy.base} | others) - {page}:
                 if "(%s" % base not in text:
                     sys.exit("%s: no link to %s, expected one, as there are more of its properties" % (page, base))
-            tables = iter(tables)
-            yield path, text, re.sub(pattern, lambda _, tables=tables: next(tables), text, flags=re.M)
+            listed = set()
+
+            def place(found, listed=listed):
+                return "<!-- %s -->\n\n%s" % (found[1], self.table(self.proxies[found[1]], listed))
+
+            yield path, text, re.sub(PLACE + TABLE, place, text, flags=re.M)
 
     def write_panel(self, folder):
         """Writes the XML files of the plugin with the text of each property; unchanged files are not touched."""

@@ -16,6 +16,7 @@ TOP_PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")
 QUICK_START = "QuickStart"  # README.md; index.md is the first page of the site
 PICTURES = "Data/Baseline/*.png"
 MESSAGES = "Messages.md"
+CLASSES = "api/"  # by Doxygen, which mkdocs does not know
 NOTEBOOKS = "Notebooks/*.ipynb"  # a page each, beside the file itself
 
 
@@ -32,7 +33,7 @@ def on_files(files, config):
     for file in list(files):
         if file.src_path.startswith("Example/"):
             files.remove(file)
-    for name in TOP_PAGES:
+    for name in (*TOP_PAGES, *config["extra_css"]):
         add(files, name, config)
     for path in sorted(TREE.glob(PICTURES)):
         add(files, path.relative_to(TREE).as_posix(), config)
@@ -87,6 +88,8 @@ def move_links(markdown, from_top):
         words, target = match.groups()
         if re.match(r"[a-z]+:|#", target):
             return match.group(0)
+        if target.startswith(CLASSES):
+            return '<a href="%s">%s</a>' % (target, words.strip("[]"))
         path = target.removeprefix("Documentation/") if from_top else target.removeprefix("../")
         found = inside(path)
         return "%s(%s)" % (words, found) if found else words.strip("![]")

@@ -19,11 +19,11 @@ SHARED = "Several readers, writers or stages"
 COMMAND, PACKAGE = "Report", "InPython"
 # Stems and folders of files whose names differ from their pages.
 PAGES = {stem: page for page, stems in {
-    "HorizonExteriorBoundary": "Boundary", "HorizonElaborateSimplification": "CellSimplification",
+    "HorizonExteriorBoundary": "Boundary BoundarySimplification",
     "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "CutData",
-    "HorizonFromImage": "MapImage", "HorizonFromPoints": "Gridding PickArrays",
-    "HorizonLayers": "HorizonStack LayerOutput",
-    "HorizonSurfaceJoin": "SeamData", "HorizonTextReader": "Survey",
+    "HorizonSources": "MapImage Gridding PickArrays HorizonFromPoints HorizonFromImage",
+    "HorizonLayers": "HorizonStack LayerOutput HorizonCrossings", "HorizonSealedModel": "SealedModel",
+    "HorizonSurfaceJoin": "SeamData", "HorizonText": "Survey", "Formats": "Writers HorizonDXF HorizonMesh",
     "SeismicReflectionExtraction": "Reflections ImageCube GuidePicks", "": "Parameters LatticeImage",
 }.items() for stem in stems.split()}
 # Python functions and exceptions that take messages.
@@ -36,7 +36,9 @@ def page_of(path):
     folder, stem = path.parent.name, path.stem.removeprefix("vtk")
     if stem in PAGES:
         return PAGES[stem]
-    names = [stem, "Horizon" + stem, PAGES.get(folder), "Horizon" + folder, folder + path.parts[-3][:-1]]
+    names = [stem, "Horizon" + stem, PAGES.get(folder)]
+    if TREE / "Common" not in path.parents:
+        names += ["Horizon" + folder, folder]
     return next((name for name in names if (TREE / "Documentation" / ("%s.md" % name)).is_file()), "")
 
 def python_texts(node):
@@ -100,7 +102,7 @@ def explained(page):
 def make_page():
     """Returns all messages as Markdown, with the explanations from the pages."""
     pages = {path.stem: path.read_text("utf-8") for path in sorted((TREE / "Documentation").glob("*.md"))}
-    meanings = {message: meaning for text in pages.values() for message, meaning in explained(text)}
+    meanings = {message: meaning.replace("(#", "(%s.md#" % name) for name, text in pages.items() for message, meaning in explained(text)}
     lines = []
     for name, texts in sorted(collect().items()):
         lines += ["", "## " + ("[%s](%s.md)" % (pages[name].splitlines()[0].strip("# "), name) if name else SHARED), ""]

@@ -45,39 +45,40 @@ def peer_table(results):
 PAGE = """\
 # Benchmarks
 
-Time and memory of the stages, and times of other programs.
+These tables show the time and memory that the stages need, and the time that other programs need.
 
 `Utilities/Studies/benchmark.sh --markdown Documentation/Benchmarks.md` measures and writes this page, here on
-{processors} processors, with generated horizons and all their attributes.
+{processors} processors, with synthetic horizons and all their attributes.
 
-## Seconds, and bytes of memory
+## Time and memory
 
-Seconds on {threads} threads, by the number of points. Bytes are the largest growth of the process, result included, per
+Seconds on {threads} threads, by number of points. Bytes are the peak growth of the process including the result, per
 point of the largest horizon.
 
 {stages}
-*Boundary simplification* has a threshold of 0.4, *rough* cells of 3, *elaborate* cells of 8 and a flatness of 0.03.
-*Error* measures the mesh of rough. *Whole chain* is read, boundary, its simplification, rough and triangulation.
-*File to mesh* is read and Horizon Surface with its defaults.
+*Boundary simplification* has a threshold of 0.4, *rough* has cells of 3, *elaborate* has cells of 8 and a flatness of
+0.03. *Error* measures the mesh after rough. *Whole chain* is read, boundary, boundary simplification, rough and
+triangulation. *File to mesh* is read and Horizon Surface with defaults.
 
 ## Threads
 
-Our algorithms alone, on generated horizons, and on a cube with the given number of samples for *extraction*. *Inside* is
-the part of the time on one thread that loops over threads take; from it follows what 16 threads gain at most.
+The algorithms without filters and attributes, on generated horizons; for *extraction*, on a cube with the given number
+of samples. *Inside* is the fraction of the single-thread time spent in parallel loops. It limits the speed-up on 16
+threads.
 
 {scaling}
 ## Other programs
 
-Their time divided by ours on as many threads: above 1, ours is faster. Programs that would take longer than
+Their time divided by ours on the same number of threads: above 1, ours is faster. Programs that would need more than
 {most_seconds:g} s are left out. [Tables.md](Tables.md#what-a-vertex-buys) compares the results.
 
 {peers}
-- Bare loop, OpenCV, CGAL and vtkStaticCellLocator are timed with our algorithm alone on one thread, on horizons of their
-  own; the others with our filters, attributes included.
-- The *bare loop* parses a mapped file without checks. OpenCV starts with an image, ours with a list of points.
-- CGAL also lists the triangles inside the outline, which is simplified *after rough* and *after elaborate*.
-- Clustering filters have cells of 3, and `vtkQuadricDecimation` as many triangles as after rough; the mesh of all points
-  that they need is not timed.
+- Bare loop, OpenCV, CGAL and vtkStaticCellLocator are compared with our algorithms on one thread, on horizons of their
+  own; all others with our filters, including attributes.
+- The *bare loop* parses a memory-mapped file without checks. OpenCV starts from an image, ours from a list of points.
+- CGAL also lists the triangles inside the outline, which is simplified in *after rough* and *after elaborate*.
+- Clustering filters have cells of 3, and `vtkQuadricDecimation` makes as many triangles as after rough. The mesh of all
+  points that they need is not included.
 - *ParaView's chain* is vtkDelimitedTextReader, vtkDelaunay2D and vtkDecimatePro.
 """
 

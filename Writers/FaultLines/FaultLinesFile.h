@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Writes fault traces, polygons and sticks as their reader reads them (Documentation/FaultLinesWriter.md).
+// Writes fault traces, polygons and sticks as their reader reads them (Documentation/FaultLines.md).
 
 #ifndef SeismicHorizonsFaultLinesFile_h
 #define SeismicHorizonsFaultLinesFile_h

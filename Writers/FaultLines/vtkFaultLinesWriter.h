@@ -27,8 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The direction in which z of the file increases. AsRead: as in the file the lines or their horizon come from (field
-   * data VerticalDirection), else up. Elevation: up. Depth: down; world z is negated. Default: AsRead.
+   * Direction of increasing z in the file. AsRead: as in the file of the lines or their horizon, else up. Elevation:
+   * up. Depth: down. Default: AsRead.
    */
   vtkHorizonChoice3Macro(VerticalPositive, VerticalSense, AsRead, Elevation, Depth);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints triangulated surfaces in GOCAD's text format (Documentation/GOCADTSurfWriter.md). Ids start at 1. Numbers have
+// Prints triangulated surfaces in GOCAD's text format (Documentation/GOCADTSurf.md). Ids start at 1. Numbers have
 // the digits that restore them exactly.
 
 #ifndef SeismicHorizonsTSurfPrinter_h

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGOCADTSurfWriter
- * @brief   writes horizon meshes as triangulated surfaces of GOCAD (.ts)
+ * @brief   writes horizon meshes as GOCAD triangulated surfaces (.ts)
  *
- * Each horizon becomes an object of type TSurf, all in one text file (Documentation/GOCADTSurfWriter.md). It has the
+ * Each horizon becomes an object of type TSurf, all in one text file (Documentation/GOCADTSurf.md). It has the
  * name of its block, else "Horizon <ID>" by the surface ID of its first point, else the name of the file without
  * extension; repeated names get " (2)" and so on. Horizons without points are left out.
  *
@@ -36,33 +36,30 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The direction in which z of the file increases (ZPOSITIVE). Elevation: up, z as in the data. Depth: down; z is
-   * negated, and triangles are flipped to face the same side. Default: Elevation.
+   * Direction of increasing z in the file (ZPOSITIVE). Elevation: up. Depth: down; triangles are flipped. Default:
+   * Elevation.
    */
   vtkHorizonChoice2Macro(VerticalPositive, VerticalSense, Elevation, Depth);
 
   /**
-   * The unit of z, such as m or ms, without conversion. Empty: as in the data (field data VerticalUnit), else none.
-   * Range: any text. Default: empty.
+   * Unit of z, such as m or ms; no conversion. Empty: as in the data, else none. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(VerticalUnit);
 
   /**
-   * The unit of x and y, such as m or ft, without conversion. Empty: as in the data (field data HorizontalUnit), else
-   * none. Range: any text. Default: empty.
+   * Unit of x and y, such as m or ft; no conversion. Empty: as in the data, else none. Range: any text. Default: empty.
    */
   vtkHorizonTextMacro(HorizontalUnit);
 
   /**
-   * The coordinate system, without conversion. Empty: as in the data (field data CoordinateSystem), else Default,
-   * GOCAD's word for none. Range: any text. Default: empty.
+   * Coordinate system; no conversion. Empty: as in the data, else Default, GOCAD's word for none. Range: any text.
+   * Default: empty.
    */
   vtkHorizonTextMacro(CoordinateSystemName);
 
   /**
-   * Which point arrays become properties of vertices. NoArrays: none. PickArrays: the attributes of picks, such as
-   * Amplitude, but not arrays of the stages. AllArrays: all, such as Distance. See "Attributes" in GOCADTSurfWriter.md.
-   * Default: PickArrays.
+   * Point arrays written as properties. PickArrays: attributes of picks, such as Amplitude. AllArrays: also those of
+   * stages, such as Distance. See "Attributes" in GOCADTSurf.md. Default: PickArrays.
    *
    * A property has the components of the array. No value is -99999, or a number with more nines if the array has that
    * value.
@@ -70,8 +67,7 @@ public:
   vtkHorizonChoice3Macro(WriteAttributes, AttributeChoice, NoArrays, PickArrays, AllArrays);
 
   /**
-   * Writes the borders of surfaces, outlines and holes (BSTONE and BORDER). Some programs, such as xtgeo, refuse files
-   * with them. Default: off.
+   * Writes outlines and holes (BSTONE and BORDER), which some programs, such as xtgeo, refuse. Default: off.
    */
   vtkHorizonFlagMacro(WriteBorders);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Prints triangulated surfaces as drawings of AutoCAD R12 (AC1009), which all DXF programs read
-// (Documentation/HorizonDXFWriter.md). Coordinates have the digits that restore them exactly.
+// (Documentation/Formats.md). Coordinates have the digits that restore them exactly.
 
 #ifndef SeismicHorizonsDXFPrinter_h
 #define SeismicHorizonsDXFPrinter_h

@@ -5,7 +5,7 @@
  * @brief   writes horizon meshes as drawings (.dxf)
  *
  * Each triangle becomes a 3DFACE, each horizon a layer, all in one text file of AutoCAD R12 (AC1009;
- * Documentation/HorizonDXFWriter.md). The layer has the name of the block, else "Horizon <ID>" by the surface ID of the
+ * Documentation/Formats.md). The layer has the name of the block, else "Horizon <ID>" by the surface ID of the
  * first point, else the name of the file without extension; at most 31 characters, with underscores for invalid ones.
  * Repeated names get "_2" and so on. Horizons without points are left out.
  *

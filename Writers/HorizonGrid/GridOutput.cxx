@@ -71,7 +71,7 @@ void RequireWritable(const HorizonGrid& grid, double firstNull, const std::strin
     {
       const auto width = static_cast<std::size_t>(lattice.Columns[0]);
       throw InputError("value " + ShortestText(grid.Z[n]) + " of column (" + std::to_string(n % width) + ", " +
-        std::to_string(n / width) + "), expected one below " + ToDecimal(firstNull) + ", which stands for none in " +
+        std::to_string(n / width) + "), expected less than " + ToDecimal(firstNull) + ", which means no value in " +
         format);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Documentation/HorizonGridFormats.md describes the formats. Numbers have the digits that restore them exactly.
+// Documentation/HorizonGrid.md describes the formats. Numbers have the digits that restore them exactly.
 // Functions throw InputError if writing fails and, before writing, if the format cannot hold the grid.
 
 #ifndef SeismicHorizonsGridWriters_h

@@ -60,7 +60,7 @@ WrittenGrid MakeWrittenGrid(
   if (format == GridFileKind::IrapBinary &&
     rounding > LargestRounding * std::min(lattice.ColumnStep.norm(), lattice.RowStep.norm()))
   {
-    written.Warnings.push_back(horizon.Name + ": places are rounded to single precision, by up to " +
+    written.Warnings.push_back(horizon.Name + ": coordinates are rounded to single precision, by up to " +
       ShortestText(rounding) + "; IRAP text keeps them");
   }
   return written;

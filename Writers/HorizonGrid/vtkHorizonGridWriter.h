@@ -5,7 +5,7 @@
  * @brief   writes horizons as regular grids
  *
  * A grid covers the lattice of its horizon; columns without a point have the null value of the format
- * (Documentation/HorizonGridFormats.md). Each file holds one grid: several horizons become files with the name of the
+ * (Documentation/HorizonGrid.md). Each file holds one grid: several horizons become files with the name of the
  * horizon after an underscore, such as "reek_Top.irap"; characters that file names cannot have become underscores.
  * Numbers have all their digits.
  *
@@ -27,9 +27,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The format. ByExtension: ZMAP+ for .zmap and .zmp, IRAP classic binary for .gri and .irapbin, CPS-3 for .cps3 and
-   * .cps, Surfer for .grd, Esri ASCII for .asc, else IRAP classic ASCII. IrapText: IRAP classic ASCII. Zmap: ZMAP+; rotated grids are resampled. IrapBinary: IRAP classic binary, in
-   * single precision. See "What is written" in HorizonGridWriter.md. Default: ByExtension.
+   * Format. ByExtension: that of the extension, else IRAP classic ASCII. Zmap: ZMAP+; rotated grids are resampled.
+   * IrapBinary: single precision. See "What is written" in HorizonGrid.md. Default: ByExtension.
    */
   vtkHorizonChoice4Macro(Format, GridKind, ByExtension, IrapText, Zmap, IrapBinary);
 

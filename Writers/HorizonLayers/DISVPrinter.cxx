@@ -149,7 +149,7 @@ private:
         if (this->Levels[end].Vertices != this->Levels[first].Vertices || isTwice)
         {
           throw InputError("cells of triangle " + std::to_string(this->Levels[first].Triangle) +
-            " that are not over each other, expected layers as Horizon Layers makes them without Tetrahedra");
+            " that are not above each other, expected layers as Horizon Layers makes them without Tetrahedra");
         }
       }
       if (this->Tops.size() % 1024 == 0)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints cells of layers in formats of simulators and meshers (Documentation/HorizonLayersWriter.md). Coordinates have
+// Prints cells of layers in formats of simulators and meshers (Documentation/HorizonLayers.md). Coordinates have
 // all digits of double precision.
 
 #ifndef SeismicHorizonsLayersPrinter_h

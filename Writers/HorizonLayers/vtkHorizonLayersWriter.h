@@ -5,7 +5,7 @@
  * @brief   writes layers for simulators and meshers (Gmsh .msh, Abaqus .inp, MODFLOW 6 .disv, VTK .vtu)
  *
  * The input is the cells of vtkHorizonLayers. The extension selects the format, each with its own order of corners;
- * coordinates are in double precision, z upwards (Documentation/HorizonLayersWriter.md). .msh and .inp have groups of
+ * coordinates are in double precision, z upwards (Documentation/HorizonLayers.md). .msh and .inp have groups of
  * faces: Top, Base, Sides, Faults and horizons. .vtu has any cells, with all arrays. A file appears complete or not at
  * all.
  *

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Documentation/HorizonMeshWriter.md describes the formats. Coordinates have all digits of double precision. Functions
+// Documentation/Formats.md describes the formats. Coordinates have all digits of double precision. Functions
 // throw InputError for coordinates that are not finite.
 
 #ifndef SeismicHorizonsMeshPrinter_h

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHorizonMeshWriter
- * @brief   writes horizon meshes for other programs (.vtp, .stl, .ply, .obj), one file for each
+ * @brief   writes horizon meshes for other programs (.vtp, .stl, .ply, .obj), one file per horizon
  *
  * The extension selects the format. Several horizons become files with the name of the horizon after an underscore:
  * "reek_Top.stl" for "reek.stl". Horizons without points are left out.
  *
  * .vtp has all of a horizon: arrays, points and outlines. The others have triangles only, z upwards, in double
- * precision: .stl and .obj as text, .ply as binary (Documentation/HorizonMeshWriter.md).
+ * precision: .stl and .obj as text, .ply as binary (Documentation/Formats.md).
  *
  * @sa vtkGOCADTSurfWriter vtkHorizonDXFWriter
  */

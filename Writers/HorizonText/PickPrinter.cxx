@@ -21,7 +21,7 @@ void PrintNumber(TextPrinter& printer, double number, const std::string& name)
 {
   if (std::abs(number) >= LeastNullNumber)
   {
-    throw InputError(name + " of 1e30 or more, which stands for no value; expected less");
+    throw InputError(name + " of 1e30 or more, which means no value; expected less");
   }
   if (std::isnan(number))
   {

@@ -30,8 +30,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Writes point arrays of real numbers, other than those of the stages, as attributes; only of horizons without
-   * triangles. Default: on.
+   * Writes the attributes of horizons without triangles. Default: on.
+   *
+   * These are point arrays of real numbers other than those of the stages.
    */
   vtkHorizonFlagMacro(WriteAttributes);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints sealed models (Documentation/SealedModelWriter.md). Coordinates have all digits of double precision.
+// Prints sealed models (Documentation/HorizonSealedModel.md). Coordinates have all digits of double precision.
 
 #ifndef SeismicHorizonsModelPrinters_h
 #define SeismicHorizonsModelPrinters_h

@@ -43,7 +43,7 @@ void ReadModelTriangles(const Horizon& surfaces, ClosedModel& model, const Monit
   if (count == 0 || count != surfaces.NumberOfCells() || count > mostTriangles)
   {
     throw InputError(std::to_string(count) + " polygons of " + std::to_string(surfaces.NumberOfCells()) +
-      " cells, expected triangles alone, 1 to " + std::to_string(mostTriangles));
+      " cells, expected only triangles, 1 to " + std::to_string(mostTriangles));
   }
   const DataArray& names = RequireModelArray(surfaces.CellData, CellArray::SurfaceName, true);
   const DataArray& types = RequireModelArray(surfaces.CellData, CellArray::SurfaceType, false);

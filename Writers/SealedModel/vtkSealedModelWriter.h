@@ -5,7 +5,7 @@
  * @brief   writes sealed models for modellers and meshers (GOCAD .ml, Gmsh .msh, STL .stl)
  *
  * The input is the surfaces of vtkHorizonSealedModel, triangles that enclose bodies. The extension selects the format
- * (Documentation/SealedModelWriter.md); coordinates are in double precision, z upwards. A file appears complete or not
+ * (Documentation/HorizonSealedModel.md); coordinates are in double precision, z upwards. A file appears complete or not
  * at all.
  *
  * Write() returns 1 if the file was written, else 0. Each failure gives one error that starts with the name of the

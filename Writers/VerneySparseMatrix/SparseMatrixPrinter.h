@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints the sparse-matrix text format (Documentation/FileFormat.md) in its normal form: one blank between numbers, a
+// Prints the sparse-matrix text format (Documentation/VerneySparseMatrix.md) in its normal form: one blank between numbers, a
 // newline after every column, voxels of a column by ascending vertical index, no plus signs, and the shortest numbers
 // that are restored exactly.
 

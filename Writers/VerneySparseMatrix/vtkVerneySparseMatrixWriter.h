@@ -18,7 +18,7 @@
  *
  * Other arrays, lines and triangles are not part of the format. Horizons without points are left out.
  *
- * The file is in normal form (Documentation/FileFormat.md): reading and writing one in that form reproduces it byte for
+ * The file is in normal form (Documentation/VerneySparseMatrix.md): reading and writing one in that form reproduces it byte for
  * byte. Time is n log n in the points and linear in the columns; memory is about 60 bytes per point.
  *
  * @sa vtkVerneySparseMatrixReader

@@ -127,7 +127,7 @@ void FaultPlate::Orient(const FaultPicks& picks)
     !(onMap > 0.0) || !std::isfinite(scale))
   {
     throw InputError("fault " + this->OwnName +
-      " with picks at one height, or on one upright line, expected sticks "
+      " with picks at one height or on one vertical line, expected sticks "
       "down the fault, lines on several horizons, or a surface");
   }
   spread.row(2) *= scale;
@@ -141,7 +141,7 @@ void FaultPlate::Orient(const FaultPicks& picks)
   }
   if (!(normal.head<2>().norm() > leastDip))
   {
-    throw InputError("fault " + this->OwnName + " that is level, expected one that dips");
+    throw InputError("fault " + this->OwnName + " that is horizontal, expected one that dips");
   }
   this->Across = normal.head<2>().normalized();
   const double slope = -normal(2) * scale / normal.head<2>().norm(); // of the offset, by height

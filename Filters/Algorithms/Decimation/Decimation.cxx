@@ -541,6 +541,6 @@ std::vector<double> FindErrors(BoundedHorizon horizon, std::size_t triangles, do
 InputError TooFewTriangles(std::size_t most, std::size_t least)
 {
   return InputError("maximum number of triangles " + std::to_string(most) + ", expected at least the " +
-    std::to_string(least) + " that the outlines alone take");
+    std::to_string(least) + " that the outlines require");
 }
 }

@@ -129,7 +129,7 @@ public:
           return fault;
         }
       }
-      throw InputError("ending at or of fault " + name + ", expected the name of a fault");
+      throw InputError("fault " + name + " in Endings, expected the name of a given fault");
     };
     for (const EndingRule& rule : rules)
     {
@@ -202,7 +202,7 @@ private:
           const Eigen::Vector3d place =
             0.5 * (this->Shares[minor][main].FarthestPlace[0] + this->Shares[minor][main].FarthestPlace[1]);
           throw InputError("fault " + this->Plates[minor].Name() + " crosses " + this->Plates[main].Name() + " near " +
-            PlaceText(place) + ", expected a rule which of them ends");
+            PlaceText(place) + ", expected a rule in Endings for which of them ends");
         }
         this->Ends[minor][main] = 1;
         if (cross || this->Shares[minor][main].IsNear)
@@ -233,8 +233,8 @@ private:
         : std::find_if(left.begin(), left.end(), [&](std::size_t fault) { return !waits(fault, 2); });
       if (next == left.end())
       {
-        throw InputError("fault " + this->Plates[left.front()].Name() +
-          " that ends at one which ends there itself, expected rules without circles");
+        throw InputError(
+          "fault " + this->Plates[left.front()].Name() + " in a cycle of Endings, expected rules without cycles");
       }
       order.push_back(*next);
       left.erase(next);

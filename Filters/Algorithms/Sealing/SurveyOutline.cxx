@@ -129,7 +129,7 @@ std::vector<PlanePoint> FindSurveyOutline(const SealingInput& input, const Monit
   }
   if (corners.size() < 3 || !(TwiceArea(corners) > 0.0))
   {
-    throw InputError("picks without an area, expected some for walls along their outline");
+    throw InputError("picks that enclose no area, expected an outline for the walls");
   }
   return corners;
 }

@@ -37,7 +37,7 @@ void IrapBinaryIsChecked()
     "byte 112: a record of 9 bytes, expected 8");
   CHECK_THROWS_WITH(Read(header + Record(BigEndian<float>({ 1, -std::numeric_limits<float>::infinity() }))),
     "byte 108: an infinite value, expected a finite number");
-  CHECK_THROWS_WITH(Read(IrapBinaryHeader(0, 25, 0)), "byte 100: steps of 0 and 25, expected others than 0");
+  CHECK_THROWS_WITH(Read(IrapBinaryHeader(0, 25, 0)), "byte 100: steps of 0 and 25, expected steps other than 0");
   CHECK_THROWS_WITH(Read(IrapBinaryHeader(50, NAN, 0)), "byte 32: dy is not finite, expected a finite number");
   CHECK_THROWS_WITH(Read(IrapBinaryHeader(50, 25, 1, 0, 0)), "byte 100: a rotation around (0, 0), expected the origin");
   std::string negative = header;
@@ -61,7 +61,7 @@ void StormIsRead()
   CHECK_THROWS_WITH(Read(Replace(Storm(), "3 2 50.0", "3 0 50.0")), "ny \"0\", expected a positive integer");
   CHECK_THROWS_WITH(Read(Replace(Storm(), "3 2 50.0", "3 2 5O.0")), "dx \"5O.0\", expected a finite number");
   CHECK_THROWS_WITH(Read(Replace(Storm(), "5025.0", "5025.0 x")), "\"x\" after ymax, expected the end of the line");
-  CHECK_THROWS_WITH(Read(Replace(Storm(), "50.0 25.0", "50.0 0")), "steps of 50 and 0, expected others than 0");
+  CHECK_THROWS_WITH(Read(Replace(Storm(), "50.0 25.0", "50.0 0")), "steps of 50 and 0, expected steps other than 0");
   CHECK_THROWS_WITH(Read(Storm() + "x"), "byte 108: more bytes after the last value, expected the end of the file");
   CHECK_THROWS_WITH(Read(Replace(Storm(), "\n\n3 2", "\n" + std::string(100, '3'))), "expected a shorter word");
 }
@@ -73,7 +73,7 @@ void SurferBinaryIsRead()
   CHECK_THROWS_WITH(
     Read(SurferBinary() + "x"), "byte 80: more bytes after the last value, expected the end of the file");
   CHECK_THROWS_WITH(Read("DSBB" + LittleEndian<std::int16_t>({ 3, 2 }) + LittleEndian<double>({ 1, 1, 0, 1 })),
-    "byte 40: x from 1 to 1 for 3 nodes, expected it to rise");
+    "byte 40: x from 1 to 1 for 3 nodes, expected increasing values");
 }
 
 void Surfer7IsRead()

@@ -220,16 +220,16 @@ void ValuesThatDoNotFitAreRefused()
   HorizonGrid grid = Sample();
   grid.Z[5] = 9999900.0;
   CHECK_THROWS_WITH(
-    IrapOf(grid), "value 9999900 of column (2, 1), expected one below 9999900.0, which stands for none in IRAP");
+    IrapOf(grid), "value 9999900 of column (2, 1), expected less than 9999900.0, which means no value in IRAP");
   CHECK_EQUAL(Read(ZmapOf(grid)).Z[5], 9999900.0);
   grid.Z[5] = 1e30;
   CHECK_THROWS_WITH(
-    ZmapOf(grid), "value 1e+30 of column (2, 1), expected one below 9.9e+29, which stands for none in ZMAP+");
+    ZmapOf(grid), "value 1e+30 of column (2, 1), expected less than 9.9e+29, which means no value in ZMAP+");
   grid.Z[5] = -std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(IrapOf(grid), "value -inf of column (2, 1)");
   grid.Z[5] = 9.99999999e29;
   CHECK_THROWS_WITH(
-    Write(WriteIrapBinary, grid), "of column (2, 1), expected one below 9.9999e+29, which stands for none");
+    Write(WriteIrapBinary, grid), "of column (2, 1), expected less than 9.9999e+29, which means no value");
   grid.Z[5] = -1e300;
   CHECK_THROWS_WITH(Write(WriteIrapBinary, grid), "-1e+300, expected a number within single precision for IRAP binary");
   grid.Z.pop_back();

@@ -142,7 +142,7 @@ void GxfHeaderIsChecked()
   CHECK_THROWS_WITH(
     Read(Replace(Gxf(), "#ROWS\n2", "#ROWS\ntwo")), "line 8: #ROWS \"two\", expected a positive integer");
   CHECK_THROWS_WITH(Read(Replace(Gxf(), "1000.0", "")), "line 14: #XORIGIN \"\", expected a finite number");
-  CHECK_THROWS_WITH(Read(Replace(Gxf(), "50.0", "0")), "steps of 0 and 25, expected others than 0");
+  CHECK_THROWS_WITH(Read(Replace(Gxf(), "50.0", "0")), "steps of 0 and 25, expected steps other than 0");
   CHECK_THROWS_WITH(Read(Gxf() + "7"), "\"7\" after the last value, expected the end of the file");
 }
 }

@@ -39,7 +39,7 @@ void IrapTextHeaderIsChecked()
   CHECK_THROWS_WITH(Read("-996 2 inf"), "line 1: dx \"inf\", expected a finite number");
   CHECK_THROWS_WITH(Read("-996 2\n"), "line 2: end of file, expected dx");
   CHECK_THROWS_WITH(Read(Replace(IrapText(), "50.0 25.0", "50.0 0.0")),
-    "line 4: steps of 50 and 0, expected others than 0, to nodes at finite places");
+    "line 4: steps of 50 and 0, expected steps other than 0, and finite coordinates");
 }
 
 void ValuesAreChecked()
@@ -124,7 +124,7 @@ void Cps3HeaderIsChecked()
   CHECK_THROWS_WITH(
     Read(Replace(Cps3(), "0 1.0E+30", "")), "line 1: null value \"COMPUTED\", expected a finite number");
   CHECK_THROWS_WITH(Read(Replace(Cps3(), "FSLIMI 1000.0 1100.0", "FSLIMI 1000.0 1000.0")),
-    "line 3: x from 1000 to 1000 for 3 nodes, expected it to rise");
+    "line 3: x from 1000 to 1000 for 3 nodes, expected increasing values");
 }
 
 // ---- EarthVision -------------------------------------------------------------------------------------------------
@@ -169,8 +169,8 @@ void EarthVisionIsChecked()
     "line 17: second point at column 3 and row 2, expected one for each node");
   CHECK_THROWS_WITH(Read(EarthVision() + "1060 5025 5 2 2\n"), " from its node, expected a regular lattice");
   const std::string header = EarthVision().substr(0, EarthVision().find("1000 5000"));
-  CHECK_THROWS_WITH(Read(header), "0 points in one line of nodes, expected at least three that are not");
-  CHECK_THROWS_WITH(Read(header + "0 0 1 1 1\n1 0 1 2 1\n2 0 1 3 1\n"), "3 points in one line of nodes");
+  CHECK_THROWS_WITH(Read(header), "0 points along one line of nodes, expected some off this line");
+  CHECK_THROWS_WITH(Read(header + "0 0 1 1 1\n1 0 1 2 1\n2 0 1 3 1\n"), "3 points along one line of nodes");
   CHECK_THROWS_WITH(Read(header + "0 0 1 1 1\n1 1 1 2 1\n1 1 1 1 2\n"),
     "columns and rows of nodes along the same line of x and y, expected a lattice in the plane");
   CHECK_THROWS_WITH(Read(Replace(EarthVision(), "3 x 2", "1000000000 x 2")),
@@ -183,8 +183,8 @@ void SurferTextIsRead()
   CHECK(IsTheSample(Read(SurferText())));
   CHECK_EQUAL(Read(Replace(SurferText(), "4 1.70141e+38", "4 1.70140e+38")).Z[4], 1.7014e38);
   CHECK_THROWS_WITH(Read("DSAA 3 2 1 2 5"), "line 1: end of file, expected yhi");
-  CHECK_THROWS_WITH(
-    Read(Replace(SurferText(), "5025.0", "4000.0")), "line 4: y from 5000 to 4000 for 2 nodes, expected it to rise");
+  CHECK_THROWS_WITH(Read(Replace(SurferText(), "5025.0", "4000.0")),
+    "line 4: y from 5000 to 4000 for 2 nodes, expected increasing values");
 }
 
 void OneNodeAloneHasAStep()

@@ -74,7 +74,7 @@ void ZmapIsChecked()
   CHECK_THROWS_WITH(
     Read(Replace(Zmap(), "2, 3, 1000.0, 1100.0,", "2, 3, 1000.0,")), "line 4: end of the line, expected ymax");
   CHECK_THROWS_WITH(
-    Read(Replace(Zmap(), "1100.0", "1e3")), "line 4: x from 1000 to 1000 for 3 nodes, expected it to rise");
+    Read(Replace(Zmap(), "1100.0", "1e3")), "line 4: x from 1000 to 1000 for 3 nodes, expected increasing values");
   CHECK_THROWS_WITH(Read(Replace(Zmap(), "\n@\n", "\n\n")), "expected @ behind the header");
   CHECK_THROWS_WITH(Read(Zmap() + "7\n"), "line 10: \"7\" after the last value, expected the end of the file");
   CHECK_THROWS_WITH(Read(Replace(Zmap(), "         3\n", "\n")), "line 10: end of file after 5 values, expected 6");

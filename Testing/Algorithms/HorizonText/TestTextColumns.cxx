@@ -144,8 +144,8 @@ void TestTwoReadings()
       lines += std::to_string(100 + 4 * j) + " " + std::to_string(100 + 2 * i) + " 100\n";
     }
   }
-  CHECK_THROWS_WITH(Read(fromZero), "column 1 with whole numbers from 0, expected to know whether columns 1 and 2");
-  CHECK_THROWS_WITH(Read(byFives), "column 1 with whole numbers in steps of 25, expected to know whether");
+  CHECK_THROWS_WITH(Read(fromZero), "column 1 with whole numbers from 0, so that columns 1 and 2 may be");
+  CHECK_THROWS_WITH(Read(byFives), "column 1 with whole numbers in steps of 25, so that columns");
   CHECK_EQUAL(Describe(lines), std::string("plain text, separated by blanks: Inline, Crossline, Z"));
   TextOptions options;
   options.Columns = "X, Y, Z";
@@ -236,7 +236,7 @@ void TestForeignNames()
   CHECK_EQUAL(Table("Lat;Lon;X;Y;Z\n1;2;3.5;4.5;5\n"), std::string("x y z Lat Lon\n3.5 4.5 5 1 2\n"));
   const PickTable guessed = Read("Foo;Bar;Depth" + picks);
   CHECK_EQUAL(guessed.X.front(), 2000.5);
-  CHECK(guessed.Warnings.front().find("columns Foo, Bar, Z taken in order as X, Y, Z") == 0);
+  CHECK(guessed.Warnings.front().find("columns Foo, Bar, Z are read in order as X, Y, Z") == 0);
   CHECK(Read("Top of Frigg\n2000.5 100.5 7\n2010.5 110.5 8\n").Warnings.empty());
 }
 
@@ -249,7 +249,7 @@ void TestUsualNulls()
   const PickTable doubtful = Read(picks, usual);
   CHECK(std::isnan(doubtful.Z[1]));
   CHECK(doubtful.Warnings.front().find(
-          "-999.25 at 1 of 3 points taken for no z, as is usual, but others have z from -999.5 to -999") == 0);
+          "-999.25 at 1 of 3 points is read as missing z, as is usual, but others have z from -999.5 to -999") == 0);
   const PickTable own = Read("# \"Inline\"\t\"Crossline\"\t\"Z\"\n# - -\n" + picks, usual);
   CHECK_EQUAL(own.Z[1], -999.25);
   CHECK(own.Warnings.empty());

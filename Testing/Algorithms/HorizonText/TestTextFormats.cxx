@@ -205,7 +205,7 @@ void TestLatticeIndices()
     Describe("4 3 2\n0 0 1.5\n3 1 2.5\n"), std::string("lattice indices, separated by blanks: Crossline, Inline, Z"));
   // A column outside the sizes: line numbers, or places.
   CHECK_EQUAL(Table("4 3 2\n5 1 1.5\n3 1 2.5\n"), std::string("il xl z\n4 3 2\n5 1 1.5\n3 1 2.5\n"));
-  CHECK_THROWS_WITH(Read("4 3 2\n4 0 1.5\n3 1 2.5\n"), "column 2 with whole numbers from 0, expected to know");
+  CHECK_THROWS_WITH(Read("4 3 2\n4 0 1.5\n3 1 2.5\n"), "column 2 with whole numbers from 0, so that columns 1 and 2 may be line numbers or coordinates");
 }
 }
 

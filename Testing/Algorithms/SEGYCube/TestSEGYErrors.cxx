@@ -76,8 +76,8 @@ void NumbersThatCanNotBeAreRefused()
   file = File();
   file.Interval = 0;
   CHECK_THROWS_WITH(Read(file),
-    "0 as sample interval, in the header (byte 3217) and in the first trace (byte 117), "
-    "expected one; set VerticalStep");
+    "sample interval 0 in the header (byte 3217) and in the first trace (byte 117), "
+    "expected more: set VerticalStep");
   SEGYOptions options;
   options.VerticalStep = 2.5;
   CHECK_EQUAL(Read(file, options).Sampling.Step, 2.5);
@@ -107,7 +107,7 @@ void GathersAreRefused()
     file.Traces[n].Offset = 100 * int(n % 4);
   }
   CHECK_THROWS_WITH(Read(file),
-    "offset 0 of trace 1 and 100 of trace 2 (byte 37), as before stacking; expected one trace "
+    "offset 0 of trace 1 and 100 of trace 2 (byte 37), as in pre-stack data; expected one trace "
     "for each inline and crossline");
   SEGYOptions options;
   options.LineFields = { 189, 193 };
@@ -121,7 +121,7 @@ void GathersAreRefused()
   {
     trace.Offset = 0;
   }
-  CHECK_THROWS_WITH(Read(file), "with several traces at one place");
+  CHECK_THROWS_WITH(Read(file), "with several traces at one position");
 }
 
 void LinesWithoutAGridAreRefused()
@@ -150,7 +150,7 @@ void LinesWithoutAGridAreRefused()
   }
   CHECK_THROWS_WITH(Read(file), "no line numbers that make a grid of 12 traces");
   options.LineFields = { 189, 193 };
-  CHECK_THROWS_WITH(Read(file, options), "12 traces that are all dead and without line numbers, expected some");
+  CHECK_THROWS_WITH(Read(file, options), "12 traces, all dead and without line numbers, expected live");
 }
 
 void OptionsAreChecked()

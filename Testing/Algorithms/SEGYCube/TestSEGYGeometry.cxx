@@ -135,7 +135,7 @@ void TheFullestUsualGridCounts()
   put(189, [](int trace) { return trace < 8 ? 10 : 12; }); // and more
   put(73, [](int) { return 0; }); // nor places
   CHECK_THROWS_WITH(
-    found(), "bytes 189 and 193 span 2 x 4 with several traces at one place, bytes 9 and 21 span 3 x 12");
+    found(), "bytes 189 and 193 span 2 x 4 with several traces at one position, bytes 9 and 21 span 3 x 12");
 }
 
 void GapsAndMissingTracesAreBlank()

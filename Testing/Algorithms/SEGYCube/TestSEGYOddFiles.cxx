@@ -164,7 +164,7 @@ void IntervalsThatDifferAreAWarning()
   file.TraceInterval = 2000;
   const SEGYCube cube = Read(file);
   CHECK_EQUAL(cube.Sampling.Step, 4.0);
-  CHECK(Warns(cube, "an interval of 4 ms in the header (byte 3217) and of 2 in the first trace (byte 117)"));
+  CHECK(Warns(cube, "a sample interval of 4 ms in the header (byte 3217) and of 2 in the first trace (byte 117)"));
 }
 
 /// A file without a format code has no byte order but that of its small numbers.
@@ -210,7 +210,7 @@ void DuplicatesFollowTheRule()
     options.LineFields = {}; // found
     const SEGYCube cube = Read(file, options);
     CHECK_EQUAL(cube.DuplicateTraces, 2);
-    CHECK(Warns(cube, "2 traces at places of others: "));
+    CHECK(Warns(cube, "2 duplicate traces: "));
     const Window window = ReadWindow(cube, Whole(cube));
     for (int k = 0; k < 5; ++k)
     {
@@ -221,7 +221,7 @@ void DuplicatesFollowTheRule()
   File moved = file;
   moved.Traces.back().Delay = 8;
   CHECK_THROWS_WITH(
-    Read(moved, options), "traces 7 and 14 at one place with delays of 0 and 8 ms (byte 109), expected");
+    Read(moved, options), "traces 7 and 14 at one position with delays of 0 and 8 ms (byte 109), expected");
 }
 
 /// Neither what is dead nor what is zero has a part in the mean.

@@ -85,14 +85,14 @@ void PlacesAreNoLineNumbers()
   CHECK_EQUAL(numbered.Lattice.Lines->FirstInline, 1.0);
   CHECK(Warns(numbered, "set InlineByte and CrosslineByte; bytes 197 and 205 make a grid"));
   file.X = [](const Trace& t) { return 500000.0 + (7919 * t.Crossline + 104729 * t.Inline) % 9973; };
-  CHECK_THROWS_WITH(Read(file), "with numbers above 99999, as of x and y");
+  CHECK_THROWS_WITH(Read(file), "with numbers above 99999, as in coordinates");
   file.PlaceScalar = 1;
   file.X = [](const Trace& t) { return 12.0 * (t.Crossline - 99); };
   file.Y = [](const Trace& t) { return 30.0 * (t.Inline - 9); };
   const SEGYCube cube = Read(file); // small numbers may be both
   CHECK_EQUAL(cube.LineFields.First, 181);
   CHECK(Warns(cube,
-    "line numbers at bytes 181 and 185, where x and y are by the standard. Where line numbers are "
+    "line numbers at bytes 181 and 185, where the standard has x and y. Where line numbers are "
     "elsewhere, set InlineByte and CrosslineByte; bytes 197 and 205 make a grid"));
 }
 
@@ -111,7 +111,7 @@ void FewWrongPlacesDoNotCount()
     CHECK(IsAt(cube.Lattice.ColumnStep, 12.5, 0.0));
     CHECK(IsAt(cube.Lattice.RowStep, 0.0, 25.0));
     CHECK(cube.LargestDistance < 1e-6);
-    CHECK(Warns(cube, "with x and y off the lattice of all others: put on it by their line numbers"));
+    CHECK(Warns(cube, "with x and y off the lattice of the others: placed by their line numbers"));
     CHECK_EQUAL(CountWrong(file, cube), 0);
   }
 }
@@ -151,7 +151,7 @@ void IrregularMidpointsMakeTheLatticeOfLeastSquares()
   CHECK((cube.Lattice.RowStep - Eigen::Vector2d(0.0, 25.0)).norm() < 0.5);
   CHECK(cube.LargestDistance > 0.45 && cube.LargestDistance <= 0.55);
   CHECK(Warns(cube, "of a step off any lattice, 0.3"));
-  CHECK(Warns(cube, "as of irregular midpoints: the lattice is that of least squares"));
+  CHECK(Warns(cube, "as with irregular midpoints: the lattice is a least-squares fit"));
   CHECK_EQUAL(CountWrong(file, cube), 0);
   // A pair on an exact lattice is better.
   file.Change = [](const Trace& trace, Bytes& header)
@@ -264,7 +264,8 @@ void BentLinesKeepTheirPlaces()
     options.PlaceFields = given;
     const SEGYCube cube = Read(file, options);
     CHECK_EQUAL(cube.PlaceFields.First, NoField);
-    CHECK(Warns(cube, "line numbers stand for x and y; the second output has the traces of the line where they are"));
+    CHECK(Warns(
+      cube, "line numbers stand for x and y; the second output has the traces of the line at their true positions"));
     if (!CHECK_EQUAL(cube.Places.size(), 40u))
     {
       continue;
@@ -298,7 +299,7 @@ void WhatIsMissingOnALineIsBetweenItsNeighbours()
     CHECK(IsAt(cube.Places[10], 1100.0, 9000.0));
     CHECK(IsAt(cube.Places[15], 1150.0, 9000.0));
   }
-  CHECK(Warns(cube, "1 traces far from both neighbours by x and y (bytes 181 and 185): put between them"));
+  CHECK(Warns(cube, "1 traces far from both neighbours in x and y (bytes 181 and 185): moved between them"));
   // Places anywhere are no line.
   file.X = [](const Trace& t) { return double(std::mt19937(unsigned(t.Crossline))() % 1000); };
   file.Y = [](const Trace& t) { return double(std::mt19937(unsigned(7 * t.Crossline))() % 1000); };

@@ -263,7 +263,7 @@ void TestNumberOnRandomPatches()
       {
         CHECK_THROWS_WITH(MakeSurface(points, AtMost(most)),
           "maximum number of triangles " + std::to_string(most) + ", expected at least the " + std::to_string(least) +
-            " that the outlines alone take");
+            " that the outlines require");
         ++refused;
       }
     }
@@ -284,7 +284,7 @@ void TestPlaneAndFewPoints()
   SurfaceOptions none = AtMost(1);
   none.OutlineTolerance = 0.0;
   CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), none),
-    "maximum number of triangles 1, expected at least the 2 that the outlines alone take");
+    "maximum number of triangles 1, expected at least the 2 that the outlines require");
   none.DistanceThreshold = 0.0;
   CHECK_THROWS_WITH(MakeSurface(MakePoints(Rectangle(2, 2), slope), none), "expected at least the 2 that");
 }

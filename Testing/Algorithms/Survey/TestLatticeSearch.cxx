@@ -250,8 +250,8 @@ void TestRefusals()
 {
   CHECK_THROWS_WITH(FindLattice({ 1.0, 2.0 }, { 1.0, 2.0 }), "2 points, expected at least three");
   CHECK_THROWS_WITH(
-    FindLattice({ 1.0, 2.0, 3.0, 5.0 }, { 1.0, 2.0, 3.0, 5.0 }), "4 different places on one line, expected");
-  CHECK_THROWS_WITH(FindLattice({ 1.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 }), "1 different places on one line, expected");
+    FindLattice({ 1.0, 2.0, 3.0, 5.0 }, { 1.0, 2.0, 3.0, 5.0 }), "4 positions, all on one line, expected");
+  CHECK_THROWS_WITH(FindLattice({ 1.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 }), "1 positions, all on one line, expected");
   Patches::Random random(6);
   Cloud cloud;
   for (int n = 0; n < 5000; ++n)

@@ -240,7 +240,7 @@ void TestDuplicates()
   CHECK_EQUAL(placed.Conflicts.front().Repeats, 1);
   CHECK_EQUAL(placed.Conflicts.front().Columns, 200);
   CHECK_EQUAL(placed.Horizons.front().DroppedDuplicates, 201);
-  CHECK(IsOne(DoubtsOf(survey), "200 of 400 columns with several z, up to 0.5 apart: DuplicatePolicy says which"));
+  CHECK(IsOne(DoubtsOf(survey), "200 of 400 columns have several z, up to 0.5 apart: DuplicatePolicy chooses which"));
   PlacementOptions options;
   options.Policy = DuplicatePolicy::Mean;
   CHECK(DoubtsOf(survey, options).empty());
@@ -252,7 +252,7 @@ void TestDuplicates()
       const int across = int(slope > 1.0 ? 5 + n / slope : 2 + slope * n) % 20;
       Double(fault, std::size_t(slope > 1.0 ? 20 * n + across : 20 * across + n), 85.0);
     }
-    CHECK(IsOne(DoubtsOf(fault), "20 of 400 columns with several z, up to 85 apart, "));
+    CHECK(IsOne(DoubtsOf(fault), "20 of 400 columns have several z, up to 85 apart, "));
     CHECK(DoubtsOf(fault).front().find(" of them in lines, as along faults") != std::string::npos);
     CHECK_EQUAL(DoubtsOf(fault, options).size(), std::size_t(1));
     options.Policy = DuplicatePolicy::Sheets;
@@ -317,7 +317,7 @@ void TestEvidence()
   few.X = { 0.0, 25.0, 0.0 };
   few.Y = { 0.0, 0.0, 40.0 };
   few.Z = { 1.0, 2.0, 3.0 };
-  CHECK_THROWS_WITH(PlacePicks(few, {}), "3 places, expected at least 6, or all of a lattice");
+  CHECK_THROWS_WITH(PlacePicks(few, {}), "picks at 3 positions, expected at least 6, or a full lattice");
   few.X.push_back(25.0);
   few.Y.push_back(40.0);
   few.Z.push_back(4.0);

@@ -303,9 +303,9 @@ void WrongColumnsAreRefused()
       cells.Corners[11] = 3;
       cells.Layers[2] = 1;
     },
-    "cells of triangle 7 that are not over each other, expected layers");
+    "cells of triangle 7 that are not above each other, expected layers");
   check(
-    [](VolumeCells& cells) { AddWedge(7, 1, 2.0, 1.0, cells); }, "cells of triangle 7 that are not over each other");
+    [](VolumeCells& cells) { AddWedge(7, 1, 2.0, 1.0, cells); }, "cells of triangle 7 that are not above each other");
 }
 
 void WorkIsMonitored()

@@ -9,9 +9,9 @@ from .words import listing
 SECTION = """\
 ## Figures of the thesis
 
-Compare sizes, not places, since the surfaces differ. Distances are at the points of the input, from pale (0) to dark
-(the 99th percentile of the row). Further figures: [outlines](HorizonExteriorBoundary.md),
-[elaborate simplification](HorizonElaborateSimplification.md).{missing}
+Since the surfaces differ, compare sizes, not places. Colours show distances at the input points, from pale (0) to dark
+(the 99th percentile of the row). Further figures: [outlines](HorizonExteriorBoundary.md), [elaborate
+simplification](HorizonCellSimplification.md#elaborate-simplification).{missing}
 
 {figures}"""
 

@@ -120,8 +120,8 @@ def smoother_row(figure, what, horizon, threshold):
 
 
 def outline_of_surface(generator, make, folder):
-    figure = Figure(["3.23"], "Outline, and less of it",
-                    "Bends in plan are kept for any t; noise gives ours more of them.")
+    figure = Figure(["3.23"], "An outline, simplified",
+                    "Bends in map view are kept for any t; noise gives ours more of them.")
     outline_rows(figure, make(15626).outlined, (0.4,), (1025, 660))
     smoother_row(figure, "without noise", surfaces.make_with_noise(generator, 15626, 0.0, folder), 0.4)
     return figure
@@ -129,7 +129,7 @@ def outline_of_surface(generator, make, folder):
 
 def outline_of_small_surface(generator, folder):
     figure = Figure(["3.24"], "A short outline",
-                    "The thesis names neither surface nor t; ours has more bends.")
+                    "The thesis states neither the surface nor t; ours has more bends.")
     horizon = surfaces.make_with_noise(generator, 15626, 0.0, folder, SMALL)
     outline_rows(figure, stages.outline(stages.start(horizon)), (1.0,), (118, 24))
     smoother_row(figure, "a square", surfaces.make_square(SMALL_SIDE), 1.0)
@@ -138,14 +138,14 @@ def outline_of_small_surface(generator, folder):
 
 def outline_of_square(square):
     figure = Figure(["3.26"], "The outline of a square",
-                    "257 by 257 columns, the 66,049 points of figure 4.16.")
+                    "257 by 257 columns: the 66,049 points of figure 4.16.")
     outline_rows(figure, square.outlined, (0.3, 0.5), (1024, 381, 106))
     return figure
 
 
 def rough_and_merged(make, folder):
     figure = Figure(["4.14"], "Rough simplification and merging",
-                    "With cells of 6 and a distance of 6; ours is the surface of 15,626 points.")
+                    "Cells of 6 and a distance of 6, on our surface of 15,626 points.")
     surface = make(15626)
     surface.show(figure, "All")
     compare(figure, surface, folder, ("rough, s = 6", surface.rough(6), (None, 0.0142, 0.0004)),
@@ -155,7 +155,7 @@ def rough_and_merged(make, folder):
 
 def elaborate_and_merged(make, folder):
     figure = Figure(["4.15"], "Elaborate simplification and merging",
-                    "The thesis gives neither flatness nor distance; ours are 0.12 and 6.")
+                    "The thesis states neither flatness nor distance; ours are 0.12 and 6.")
     surface = make(23559)
     surface.show(figure, "All")
     compare(figure, surface, folder, ("elaborate, s = 8", surface.elaborate(0.12), ("2305 (10 %)", 0.007, 0.0007)),
@@ -165,7 +165,7 @@ def elaborate_and_merged(make, folder):
 
 def elaborate_and_merged_8(make, folder):
     figure = Figure(["4.18"], "Elaborate simplification and merging, both with 8",
-                    "The thesis gives sizes of files: at 40.8 bytes a point, as in figure 5.21, 53,660 points.")
+                    "The thesis states file sizes: at 40.8 bytes per point, as in figure 5.21, 53,660 points.")
     surface = make(53660)
     surface.show(figure, "All")
     compare(figure, surface, folder,
@@ -186,9 +186,9 @@ def compare(figure, surface, folder, ours, theirs):
 
 
 def square_simplified(square):
-    figure = Figure(["4.16", "5.21"], "A square, from its outline to the inside",
-                    "Ours is a sum of waves whose height fits the outline of 3.26. Cubes inside are flat: only the boundary "
-                    "thresholds divide them.")
+    figure = Figure(["4.16", "5.21"], "A square, simplified from its outline inwards",
+                    "Ours is a sum of waves whose height fits the outline of figure 3.26. Inner cubes are flat: only the "
+                    "boundary thresholds divide them.")
     simplified = stages.elaborate(square.straight, 8, 0.09)
     mesh = Simplified(square.full, stages.mesh(simplified).data)
     square.show(figure, "All")
@@ -214,8 +214,8 @@ def large_surface(make):
 
 
 def outside_triangles(make):
-    figure = Figure(["5.19"], "Triangles outside",
-                    "The thesis removes the triangles beyond the outline at the end; ours never makes them (right).")
+    figure = Figure(["5.19"], "Triangles beyond the outline",
+                    "The thesis removes these triangles at the end; our method never creates them (right).")
     simplified = stages.rough(make(15626).straight, 8)
     outline_panel(figure, "Points", simplified)
 
@@ -231,7 +231,7 @@ def outside_triangles(make):
 
 
 def small_surface(make):
-    figure = Figure(["5.20"], "A small surface", "232 kB are about 5830 points.")
+    figure = Figure(["5.20"], "A small surface", "232 kB correspond to about 5830 points.")
     surface = make(5830)
     surface.show(figure, "All")
     simplified = surface.elaborate(0.12)

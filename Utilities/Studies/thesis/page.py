@@ -9,11 +9,11 @@ from text import wrapped
 from . import figure_section, meshlab, partners, stages, surfaces, tables, words
 
 PAGE = """\
-# Beside the thesis
+# Compared with the thesis
 
-Our simplifications compared with the thesis, and with other programs at the same number of vertices.
-`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE` it also writes the surfaces,
-tables 4.1 to 4.6 and 5.1 with a row for each surface, and the numbers in captions of figures.
+Our simplifications are compared with those of the thesis, and with other programs at the same number of vertices.
+`Utilities/Studies/reproduce_thesis.sh` measures and writes this page. With `--tables FILE`, it also writes the results
+for each surface (tables 4.1 to 4.6 and 5.1) and the numbers in figure captions.
 
 - {thesis_words}
 - {cluster_words}
@@ -22,38 +22,38 @@ tables 4.1 to 4.6 and 5.1 with a row for each surface, and the numbers in captio
 
 ## Method
 
-- The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`) and have its sizes and
+- The surfaces of the thesis are not public. Ours are synthetic (`generate_horizons`) and have their sizes and
   proportions, with bays, holes, {dropouts} of single dropouts, and patches of noise: blocks of 16 columns with heights
-  off by up to {noise_height} voxels and {noise_gaps} of the voxels missing. The area of noise is fitted so that the
-  rough simplification with s = 3, 6 and 8 leaves in the median as many points as in the thesis.
-- Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and that of the points left, both
-  ways, in lattice units, divided by the diagonal of the bounding box as in the thesis. Heights are whole numbers: a
-  mesh that passes between them has a mean error of up to a quarter of a vertical index.
-- Times are the fastest of up to {runs} runs on {threads} threads, attributes included. Those of the thesis are from a
-  PC of its time.{meshlab}
+  off by up to {noise_height} voxels and {noise_gaps} of the voxels missing. The area with noise is chosen so that the
+  rough simplification with s = 3, 6 and 8 leaves, in the median, as many points as in the thesis.
+- Errors are [distances](HorizonSurfaceDistance.md) between the mesh of all points and the mesh of the points left, in
+  both directions, in lattice units, as fractions of the diagonal of the bounding box. Heights are whole numbers, so
+  even a mesh between them has a mean error of up to a quarter of a vertical index.
+- Times are the fastest of up to {runs} runs on {threads} threads, attributes included. Those of the thesis were
+  measured on a PC of its time.{meshlab}
 
 ## What is different from the thesis
 
-Medians of here / thesis over the surfaces, in the last three rows also over the flatnesses:
+Medians of here / thesis over the surfaces, and in the last three rows also over the flatnesses:
 
 {thesis_table}
 - *Rough.* {contradiction}
 - *Elaborate.* The thesis gives no values for its boundary thresholds ([our
-  interpretation](HorizonElaborateSimplification.md#method)), and one number for alone and after rough.
-- *Errors.* Our largest are at single voxels of noise and along the outline; in the thesis they grow with cells and
-  flatness.
+  interpretation](HorizonCellSimplification.md#method)), and only one number for both *alone* and *after rough*.
+- *Errors.* Our largest errors are at single noisy voxels and along the outline; in the thesis, they grow with cell size
+  and flatness.
 
 ## What a vertex buys
 
 Each program makes a mesh with as many vertices as ours, within {near:.0f} % where possible. Figures are medians over
 the surfaces.
 
-- Errors are multiplied by the vertices, since those of good meshes fall in proportion. *Outline* is the largest distance
-  of the mesh's outline on the map.
-- *Time* is from the points to the mesh. Ours includes the boundary and attributes; theirs neither, nor, except for
-  `vtkDelaunay2D`, the mesh of all points that they need.
-- The two clustering filters have their best settings; the others have their defaults. For `vtkGreedyTerrainDecimation`
-  holes are filled. `vtkDelaunay2D` meshes the points that we leave.
+- Errors are multiplied by the number of vertices, since the error of a good mesh is inversely proportional to it.
+  *Outline* is the largest deviation of the outline in map view.
+- *Time* is from the points to the mesh. Ours includes the boundary and attributes. Theirs excludes both, and the mesh
+  of all points that all but `vtkDelaunay2D` need.
+- The two clustering filters run with their best settings, all others with their defaults. Holes are filled for
+  `vtkGreedyTerrainDecimation`. `vtkDelaunay2D` meshes the points that our simplification leaves.
 
 As many vertices as `rough, s = 6`:
 
@@ -63,7 +63,8 @@ As many vertices as `elaborate, s = 8, flatness 0.03`:
 {elaborate_partners}
 ![Errors over vertices](Pictures/VertexWorth.png)
 
-*The surface of {curve_surface} points. Ours, drawn heavier, keep the outline in place on the map by design.*
+*The surface of {curve_surface} points. Our methods, drawn with heavier lines, preserve the outline in map view by
+design.*
 
 {left_out_partners}
 {figures}"""

@@ -65,8 +65,8 @@ def best_sentence(found, name):
     against = partners(found, name)
     mean, largest, nearest = (min(against, key=lambda a, what=what: getattr(a, what))
                               for what in ("mean", "largest", "outline"))
-    return "of the others **%s** has the smallest mean error (%s times ours), **%s** the smallest largest error (%s " \
-        "times), **%s** the nearest outline (%.1f columns off, ours %.1f)." % (
+    return "of the other methods, **%s** has the smallest mean error (%s times ours), **%s** the smallest largest " \
+        "error (%s times), and **%s** the nearest outline (%.1f columns off, ours %.1f)." % (
             mean.partner, ratio(mean.mean), largest.partner, ratio(largest.largest), nearest.partner, nearest.outline,
             nearest.our_outline)
 
@@ -113,8 +113,8 @@ def thesis_sentence(found):
     for name in ("left", "largest", "mean", "speed"):
         values = [getattr(c, name) for c in comparisons]
         spans.append("%s to %s" % (ratio(min(values)), ratio(max(values))))
-    return "Here / thesis, medians by method ([table](#what-is-different-from-the-thesis)): points left %s, largest " \
-        "error %s, mean error %s, speed %s." % tuple(spans)
+    return "Ratios here / thesis, medians by method ([table](#what-is-different-from-the-thesis)): points left %s, " \
+        "largest error %s, mean error %s, speed %s." % tuple(spans)
 
 
 def outline_sentence(found):
@@ -128,8 +128,8 @@ def contradiction_sentence():
     """Returns a sentence on a contradiction: a cell of 6 with b boundary points keeps at most b + 3 points as four cells of
     3, and any other cell at most 4 instead of 1, so never more than four times as many."""
     sizes = ["%d" % size for size, rough in sorted(reported.ROUGH.items()) if rough[3][0] > 4 * rough[6][0]]
-    return "No surface could fit all three values of s. A cell of 6 is four cells of 3, so s = 3 leaves at most four " \
-        "times as many points as s = 6; in the thesis it leaves more on the surfaces of %s points." % listing(sizes)
+    return "No surface can fit all three values of s. A cell of 6 is four cells of 3, so s = 3 leaves at most four " \
+        "times as many points as s = 6. In the thesis, it leaves more on the surfaces of %s points." % listing(sizes)
 
 
 def cluster_sentence(found):
@@ -139,13 +139,13 @@ def cluster_sentence(found):
     if not pairs:
         return "MeshLab was not run."
     c = AgainstThesis("", pairs)
-    return "The same for MeshLab's merging, one program there and here: points left %s, largest error %s, mean error " \
-        "%s, speed %s." % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
+    return "The same ratios for MeshLab's merging, with one program there and here: points left %s, largest error %s, " \
+        "mean error %s, speed %s." % (ratio(c.left), ratio(c.largest), ratio(c.mean), ratio(c.speed))
 
 
 def left_out(pace):
     if not pace.left_out:
-        return "None was left out for being slow.\n"
+        return "None was left out.\n"
     parts = ["%s on %s points" % (MESHERS.get(name, name), listing(["%d" % n for n in sorted(sizes)]))
              for name, sizes in pace.left_out.items()]
-    return "Left out, as one run was expected to take longer than %g s: %s.\n" % (pace.most_seconds, "; ".join(parts))
+    return "Left out because a run was expected to need more than %g s: %s.\n" % (pace.most_seconds, "; ".join(parts))
