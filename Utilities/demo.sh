@@ -5,7 +5,8 @@
 # demo.sh [-o OUTPUT_FOLDER] [FILE.vsm]...
 #
 # Sets everything up, and turns the horizons of files (of the bundled sample without any) into meshes: one .vtp file
-# per horizon, a picture of every stage, and a table. Results go to out/ in the current folder when no other is named.
+# per horizon, a table, a report, and where VTK is there a picture of every stage. Results go to out/ in the current folder
+# when no other is named.
 # The sample has its time in ms and its place in the world, which files of this format do not say, and is cut at faults.
 set -eu
 
@@ -46,10 +47,29 @@ mkdir -p -- "$output" 2>/dev/null || refuse "the folder $output cannot be made"
 
 utilities=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 source_folder=$(dirname -- "$utilities")
-[ $# -gt 0 ] || set -- --z-from RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 \
-  "$source_folder/Data/sample.vsm"
+if [ $# -eq 0 ]; then
+  file=$source_folder/Data/sample.vsm
+  set -- --z-from RealZ --origin 461200 6801500 0 --column-step 24 7 --row-step -7 24 --cut-faults 0 "$file"
+fi
 
-"$utilities/setup.sh" --without-tests
-PYTHONPATH=$source_folder/build/release/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH} \
-  "$utilities/with-xvfb.sh" /usr/bin/python3 "$utilities/horizon_mesh.py" --output-folder "$output" "$@"
-echo "demo: results are in $output"
+"$utilities/setup.sh" --without-paraview
+build_folder=$source_folder/build/release
+export PYTHONPATH="$build_folder/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
+# Pictures need VTK, which comes with ParaView, and mostly an X server. The report has meshes without them.
+screen=$utilities/with-xvfb.sh
+command -v Xvfb >/dev/null 2>&1 || screen=env
+can_draw="from seismichorizons_command import batch; raise SystemExit(batch.why_no_pictures() is not None)"
+"$screen" /usr/bin/python3 -c "$can_draw" >/dev/null 2>&1 || set -- --no-pictures "$@"
+set -- --output-folder "$output" --report "$output/report.html" "$@"
+echo "demo: horizon-mesh $*"
+"$screen" /usr/bin/python3 "$utilities/horizon_mesh.py" "$@"
+
+echo "demo: the report is $output/report.html: open it in a browser and drag its meshes to rotate them"
+set -- "$output"/*.png
+[ ! -e "$1" ] || echo "demo: the pictures are $output/*.png"
+plugins=$(echo "$build_folder"/lib/paraview-*/plugins)
+if [ -e "$plugins/SeismicHorizons/SeismicHorizons.so" ]; then
+  echo "demo: the window: PV_PLUGIN_PATH=$plugins paraview $file"
+else
+  echo "demo: for the window of ParaView, and pictures: $utilities/setup.sh --without-tests, then this command again"
+fi

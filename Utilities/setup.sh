@@ -3,18 +3,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Makes everything ready on Debian 12: installs the packages that are missing, configures, and builds into
-# build/release. --without-tests leaves out what only the tests and the site of the documentation take; --only-packages
-# builds nothing. What is done already is skipped. Needs to be root, or sudo, only when a package is missing.
+# build/release. --without-tests leaves out what only the tests and the site of the documentation take, --without-paraview
+# also ParaView: the Python package and its command remain. --only-packages builds nothing. What is done already is
+# skipped. Needs to be root, or sudo, only when a package is missing.
 set -eu
 
+packages="g++ cmake ninja-build libeigen3-dev zlib1g-dev libpython3-dev python3-numpy python3-pip"
 # libqt5svg5 draws the icons of ParaView's window, the qt tools make the pages of its help.
-packages="g++ cmake ninja-build paraview-dev python3-paraview libeigen3-dev
-  zlib1g-dev libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb python3-pip"
+packages_of_paraview="paraview-dev python3-paraview libopenmpi-dev libqt5svg5 qttools5-dev qtxmlpatterns5-dev-tools xvfb"
 # mkdocs-material and doxygen make the site of the documentation.
 # dpkg-dev and file find out what the Debian packages depend on.
 # codespell checks the spelling of the pages.
 packages_of_tests="mkdocs-material doxygen xdotool dpkg-dev file codespell"
 with_tests=ON
+without_paraview=OFF
 with_build=yes
 python=${PYTHON:-/usr/bin/python3}
 source_folder=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
@@ -37,10 +39,12 @@ fail() {
 for option in "$@"; do
   case $option in
     --without-tests) with_tests=OFF ;;
+    --without-paraview) with_tests=OFF without_paraview=ON ;;
     --only-packages) with_build=no ;;
-    *) fail "unknown option $option, expected --without-tests or --only-packages" ;;
+    *) fail "unknown option $option, expected --without-tests, --without-paraview or --only-packages" ;;
   esac
 done
+[ "$without_paraview" = ON ] || packages="$packages $packages_of_paraview"
 [ "$with_tests" = OFF ] || packages="$packages $packages_of_tests"
 
 # Says every now and then that work goes on.
@@ -48,7 +52,7 @@ say_still() {
   seconds=0
   while sleep 20 >/dev/null 2>&1; do # which goes on a little after the rest, and would keep a pipe open
     seconds=$((seconds + 20))
-    echo "setup: still $1 ($seconds s)"
+    echo "setup: still $1$(sed -n 's,^\[\([0-9]*\)/\([0-9]*\)\].*,\, \1 of \2 steps,p' "$log" | tail -n 1) ($seconds s)"
   done
 }
 
@@ -133,7 +137,7 @@ fetch_nanobind() {
 configure() {
   echo "setup: configuring in build/release"
   if ! quietly "configuring" cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_UNITY_BUILD=ON -DBUILD_TESTING="$with_tests"; then
+    -DCMAKE_UNITY_BUILD=ON -DBUILD_TESTING="$with_tests" -DSEISMICHORIZONS_METHODS_ONLY="$without_paraview"; then
     cat "$log" >&2
     # A half-configured folder would look like a finished one the next time.
     rm -f "$build_folder/build.ninja"
@@ -141,17 +145,35 @@ configure() {
   fi
 }
 
-# A build with tests also has all that one without them has.
+# A build with tests, or with ParaView, also has all that one without them has.
 is_configured() {
   [ -f "$build_folder/build.ninja" ] &&
-    { [ "$with_tests" = OFF ] || grep -q '^BUILD_TESTING:BOOL=ON$' "$build_folder/CMakeCache.txt"; }
+    { [ "$with_tests" = OFF ] || grep -q '^BUILD_TESTING:BOOL=ON$' "$build_folder/CMakeCache.txt"; } &&
+    { [ "$without_paraview" = ON ] || grep -q '^SEISMICHORIZONS_METHODS_ONLY:BOOL=OFF$' "$build_folder/CMakeCache.txt"; }
+}
+
+# The Python package takes 430 seconds of one processor, and ParaView's part, which compiles none of it again, 155.
+say_duration() {
+  seconds=0
+  ls "$build_folder"/lib/python3/dist-packages/seismichorizons/_core.*.so >/dev/null 2>&1 || seconds=430
+  [ "$without_paraview" = ON ] || seconds=$((seconds + 155))
+  processors=$(nproc)
+  if [ "$with_tests" = ON ]; then
+    echo "some minutes"
+  else
+    echo "about $((seconds / processors / 60 + 1)) min (processors: $processors)"
+  fi
 }
 
 build() {
-  is_configured || configure
-  echo "setup: building in build/release, some minutes the first time"
-  if ! quietly "building" cmake --build "$build_folder" -- --quiet; then
-    cat "$log" >&2
+  duration=
+  if ! is_configured; then
+    duration=", $(say_duration)"
+    configure
+  fi
+  echo "setup: building in build/release$duration"
+  if ! quietly "building" cmake --build "$build_folder"; then
+    grep -v '^\[' "$log" >&2 || true
     fail "building failed"
   fi
 }

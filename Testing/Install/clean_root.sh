@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The commands of the README on a fresh Debian 12 with nothing else installed: a clone of the last commit, the demo, then
-# all tests. Argument: a folder for the root (12 GB), which is made by debootstrap unless it is there. Takes root, a mirror
+# The commands of the README on a fresh Debian 12 with nothing else installed: a clone of the last commit, the demo, all
+# tests, and the demo with pictures, which need ParaView. Argument: a folder for the root (12 GB), which is made by debootstrap unless it is there. Takes root, a mirror
 # of Debian and half an hour; SEISMICHORIZONS_DEBIAN_MIRROR names another mirror than that of debootstrap.
 set -eu
 
@@ -28,5 +28,6 @@ mount -t devpts devpts "$root/dev/pts"
 mount -t tmpfs tmpfs "$root/dev/shm"
 rm -rf "$root/project"
 git clone --quiet --no-hardlinks "$source_folder" "$root/project"
-inside sh -c 'cd && /project/Utilities/demo.sh'
+inside sh -c 'cd && /project/Utilities/demo.sh && ls out/report.html out/sample_horizon_?.vtp'
 inside sh -c 'cd && /project/Utilities/test.sh'
+inside sh -c 'cd && /project/Utilities/demo.sh -o results /project/Data/sample.vsm && ls results/sample.png'

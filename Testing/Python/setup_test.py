@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """setup.sh asks for what it needs, says how much that is, and leaves nothing behind, beside commands that only look like
-those of Debian.
+those of Debian; demo.sh says where its results are, with ParaView and without.
 
 Arguments: setup.sh, a folder for files.
 """
 
+import os
 import pathlib
 import shutil
 import subprocess
@@ -25,8 +26,8 @@ if [ "$1" = -S ]; then
   mkdir -p "$4"
   touch "$4/build.ninja"
   for option in "$@"; do
-    case $option in -DBUILD_TESTING=*) echo "BUILD_TESTING:BOOL=${option#*=}" >"$4/CMakeCache.txt" ;; esac
-  done
+    case $option in -D*=O*) option=${option#-D}; echo "${option%%=*}:BOOL=${option#*=}" ;; esac
+  done >"$4/CMakeCache.txt"
 fi"""
 
 
@@ -64,17 +65,20 @@ class Setup(unittest.TestCase):
         return done.returncode, done.stdout, log.read_text().splitlines() if log.exists() else []
 
     def test_builds(self):
-        """A demo takes no tests; these are configured when they are asked for, and stay."""
-        built = "cmake --build %s/build/release -- --quiet" % self.project
+        """A demo takes neither ParaView nor tests; these are configured when they are asked for, and stay."""
+        built = "cmake --build %s/build/release" % self.project
         fetched = "pip -m pip install --no-deps --target %s/build/nanobind nanobind>=2.4" % self.project
         configured = ("cmake -S %s -B %s/build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON "
-                      "-DBUILD_TESTING=%s")
-        for number, (options, testing) in enumerate(((["--without-tests"], "OFF"), (["--without-tests"], ""), ([], "ON"), ([], ""),
-                                                     (["--without-tests"], ""))):
+                      "-DBUILD_TESTING=%s -DSEISMICHORIZONS_METHODS_ONLY=%s")
+        small, large = ["--without-paraview"], ["--without-tests"]
+        for number, (options, parts) in enumerate(((small, ("OFF", "ON")), (small, ()), (large, ("OFF", "OFF")), (small, ()), (large, ()),
+                                                   ([], ("ON", "OFF")), ([], ()), (large, ()), (small, ()))):
             code, printed, commands = self.run_setup(*options)
-            self.assertEqual((code, commands),
-                             (0, [fetched] * (number == 0) + [configured % (self.project, self.project, testing)] * bool(testing) + [built]))
+            self.assertEqual((code, commands), (0, [fetched] * (number == 0) + (
+                [configured % (self.project, self.project, *parts)] if parts else []) + [built]))
             self.assertTrue(printed.endswith("setup: ready\n"), printed)
+            told = r", (about [1-8] min \(processors: \d+\)|some minutes)\n" if parts else "\n"
+            self.assertRegex(printed, "building in build/release" + told)
         self.assertEqual(self.run_setup("--only-packages"), (0, "", []))
 
     def test_ends_with_its_pipe(self):
@@ -85,11 +89,12 @@ class Setup(unittest.TestCase):
 
     def test_packages(self):
         """What is missing, and what that takes, is said before it comes."""
-        self.write("dpkg-query", 'case $3 in doxygen|ninja-build) echo "" ;; *) echo installed ;; esac')
+        self.write("dpkg-query", 'case $3 in doxygen|ninja-build|xvfb) echo "" ;; *) echo installed ;; esac')
         self.write("apt-cache", "exit 0")
         self.write("apt-get", 'echo "apt-get $*" >>"%s/log"' % self.project, "cat <<END\n%s\nEND" % SIZES)
         self.assertIn("fetching nanobind", self.run_setup("--only-packages")[1])  # is no package of Debian 12
-        for options, names in (([], "ninja-build doxygen"), (["--without-tests"], "ninja-build")):
+        for options, names in (([], "ninja-build xvfb doxygen"), (["--without-tests"], "ninja-build xvfb"),
+                               (["--without-paraview"], "ninja-build")):
             code, printed, commands = self.run_setup("--only-packages", *options)
             self.assertEqual(code, 0)
             self.assertEqual(printed, "setup: installing %s\nsetup: 515 packages with what they need, 489 MB to download, "
@@ -98,7 +103,7 @@ class Setup(unittest.TestCase):
 
     def test_failures(self):
         self.assertEqual(self.run_setup("--all"), (
-            1, "setup: unknown option --all, expected --without-tests or --only-packages\n", []))
+            1, "setup: unknown option --all, expected --without-tests, --without-paraview or --only-packages\n", []))
         self.write("cmake", "echo no compiler", "exit 1")
         code, printed, _ = self.run_setup()
         self.assertEqual((code, printed.splitlines()[-2:]), (1, ["no compiler", "setup: configuring failed"]))
@@ -113,6 +118,29 @@ class Setup(unittest.TestCase):
         code, printed, _ = self.run_setup()
         self.assertEqual(code, 1)
         self.assertIn("setup: no package lists with g++, expected those of Debian 12: is the network there?", printed)
+
+    def test_demo(self):
+        """Without Xvfb, and with a build that has no plugin, there are no pictures, and nobody is told of X."""
+        utilities = self.project / "Utilities"
+        for name in ("demo.sh", "with-xvfb.sh", "horizon_mesh.py"):
+            shutil.copy(SETUP.parent / name, utilities)
+        (utilities / "setup.sh").write_text("#!/bin/sh\n")
+        shutil.copytree(SETUP.parent.parent / "Data", self.project / "Data", ignore=shutil.ignore_patterns("Baseline"))
+        for name in ("dirname", "env", "ls", "mkdir", "sh"):
+            (self.commands / name).symlink_to(shutil.which(name))
+        environment = {"PATH": str(self.commands), "PYTHONPATH": os.environ["PYTHONPATH"]}
+        plugins = self.project / "build" / "release" / "lib" / "paraview-5.11" / "plugins"
+        for last in ("%s/setup.sh --without-tests, then this command again\n" % utilities,
+                     "PV_PLUGIN_PATH=%s paraview %s/Data/sample.vsm\n" % (plugins, self.project)):
+            done = subprocess.run([str(utilities / "demo.sh"), "-o", "with space"], cwd=self.project, env=environment, timeout=60,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=True)
+            self.assertIn("demo: the report is with space/report.html", done.stdout)
+            self.assertIn(last, done.stdout.splitlines(keepends=True)[-1])
+            self.assertNotIn("no pictures", done.stdout)
+            self.assertEqual({path.name for path in (self.project / "with space").iterdir()} - {"sample.png"},  # of VTK 9.6
+                             {"report.html", "sample_horizon_1.vtp", "sample_horizon_2.vtp"})
+            (plugins / "SeismicHorizons").mkdir(parents=True, exist_ok=True)
+            (plugins / "SeismicHorizons" / "SeismicHorizons.so").touch()
 
 
 if __name__ == "__main__":

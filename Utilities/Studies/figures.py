@@ -18,7 +18,6 @@ import argparse
 import functools
 import pathlib
 import re
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -49,9 +48,10 @@ def output_of(*command):
 # ---- Console blocks --------------------------------------------------------------------------------------------------
 
 def demo():
-    words = shlex.split(re.search(r"set -- (.*?)\n\n", (PROJECT / "Utilities" / "demo.sh").read_text(encoding="utf-8").replace("\\\n", ""), re.S).group(1))
-    words[-1] = str(PROJECT / "Data" / "sample.vsm")
-    return output_of(PROJECT / "Utilities" / "with-xvfb.sh", sys.executable, PROJECT / "Utilities" / "horizon_mesh.py", "--output-folder", "out", *words)
+    """What demo.sh prints where there is no VTK."""
+    words = re.search(r"set -- (--z-from .*) ", (PROJECT / "Utilities" / "demo.sh").read_text(encoding="utf-8")).group(1).split()
+    return output_of(sys.executable, PROJECT / "Utilities" / "horizon_mesh.py", "--no-pictures", "--output-folder", "out", "--report", "report.html",
+                     *words, PROJECT / "Data" / "sample.vsm")
 
 
 def cube_description():
