@@ -86,7 +86,7 @@ Numbered NumberPoints(const PlaneCloud& points, const PlaneMap& map, double reac
   std::ostringstream text;
   text << points << " points without a lattice: with the best steps, " << ToText(map.Steps.col(0)) << " and "
        << ToText(map.Steps.col(1)) << ", they are " << std::round(100.0 * spread)
-       << " % of a step off its columns on average; expected the regular lattice of a survey, or Gridding, "
+       << " % of a step off their columns on average; expected the regular lattice of a survey, or Gridding, "
           "or NoLattice for an extraction";
   throw InputError(text.str());
 }

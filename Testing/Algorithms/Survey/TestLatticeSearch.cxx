@@ -258,7 +258,7 @@ void TestRefusals()
   {
     cloud.Add({ random.Fraction() * 1000.0, random.Fraction() * 1000.0 });
   }
-  CHECK_THROWS_WITH(FindLattice(cloud.X, cloud.Y), "5000 points without a lattice: the best steps, (");
+  CHECK_THROWS_WITH(FindLattice(cloud.X, cloud.Y), "5000 points without a lattice: with the best steps, (");
 }
 }
 
