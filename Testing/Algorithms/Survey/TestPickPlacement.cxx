@@ -289,7 +289,7 @@ void TestRefusals()
   CHECK_THROWS_WITH(PlacePicks(diagonal, {}), "picks on one line, expected some that span a lattice");
   PickTable samePlace = TurnedTable();
   samePlace.X.assign(samePlace.Size(), 1.0);
-  CHECK_THROWS_WITH(PlacePicks(samePlace, {}), "places of picks on one line, expected some that span a lattice");
+  CHECK_THROWS_WITH(PlacePicks(samePlace, {}), "positions of picks on one line, expected some that span a lattice");
   PickTable farAway = LineTable();
   farAway.Inline[3] = 4e9;
   CHECK_THROWS_WITH(

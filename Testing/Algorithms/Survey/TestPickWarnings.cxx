@@ -330,7 +330,7 @@ void TestEvidence()
   lines.Z = few.Z;
   CHECK_EQUAL(PlacePicks(lines, {}).Horizons.front().RealZ.size(), std::size_t(4));
   lines.AreLinesGuessed = true;
-  CHECK_THROWS_WITH(PlacePicks(lines, {}), "columns without names may be X and Y");
+  CHECK_THROWS_WITH(PlacePicks(lines, {}), "columns without names are X and Y");
 }
 
 void TestRounding()
