@@ -7,8 +7,8 @@
 
 Needs the package seismichorizons in PYTHONPATH. PROGRAMS is the folder of the built programs (bin). REAL has real horizons
 as files *.ijz and cubes; without it, figures of these are left out. --write puts the new figures into the pages. --slow
-also makes the pages and tables that take longer than a minute; they are written with --write only, as their times differ
-from run to run.
+also compares a table that takes minutes, prints what the benchmarks say whose tables on StageTables.md are put in by hand,
+and with --write makes whole pages anew: their times differ from run to run.
 
 Figures are console blocks, rows of tables that a script prints, and numbers in sentences. An entry whose text is on no
 page is an error. Seconds are not compared.
@@ -91,8 +91,9 @@ def console_blocks():
 
 # ---- Tables ----------------------------------------------------------------------------------------------------------
 
-# Heading in StageTables.md, command, a cell of the rows that are compared, titles of columns that are not.
-TABLES = [("## Surface\n", "real_surfaces.py", "", "Seconds"), ("### Even meshes\n", "even_meshes.py", "ours", "seconds")]
+# Heading in StageTables.md, script and arguments, a cell of the rows that are compared, the title of a column that is not.
+TABLES = [("## Surface\n", ("real_surfaces.py", GIVEN.real), "", "Seconds"), ("### Even meshes\n", ("even_meshes.py", GIVEN.real), "ours", "seconds")]
+SLOW_TABLES = [("## Hole filling\n", ("hole_filling.py", "--real", GIVEN.real), "", "")]
 
 
 def cells_of(line):
@@ -101,10 +102,10 @@ def cells_of(line):
 
 def tables():
     page = PAGES / "StageTables.md"
-    for heading, script, kept, times in TABLES if GIVEN.real else ():
+    for heading, (script, *arguments), kept, times in [*TABLES, *(SLOW_TABLES if GIVEN.slow else ())] if GIVEN.real else ():
         section = page.read_text(encoding="utf-8").partition(heading)[2]
         then = re.search(r"(?:^\|.*\n)+", section, re.M)
-        lines = output_of(sys.executable, STUDIES / script, GIVEN.real).splitlines()
+        lines = output_of(sys.executable, STUDIES / script, *arguments).splitlines()
         made = [cells_of(line) for line in lines if line.startswith("|")]
         if not then or not made or made[0] != cells_of(then.group().splitlines()[0]):
             yield page, heading, None
@@ -199,9 +200,17 @@ def sentences():
         yield page, found.group(), text
 
 
-# ---- Whole pages, and the rest ---------------------------------------------------------------------------------------
+# ---- What takes longer -----------------------------------------------------------------------------------------------
 
-def write_slow():
+def print_benchmarks():
+    """Benchmarks are built on request: ninja BoundaryBenchmark and so on."""
+    horizons = [GIVEN.real / name for name in ("penobscot/seabed.ijz", "penobscot/horizon_b.ijz")] if GIVEN.real else ()
+    for command in (("ReflectionBenchmark", 120, 100, 220), ("BoundaryBenchmark",), ("DecimationBenchmark", 886639),
+                    *([("DecimationBenchmark", *("%s=%d" % pair for pair in zip(horizons, (1, 4))))] if horizons else ())):
+        print(" ".join(map(str, command)), output_of(GIVEN.programs / command[0], *command[1:]), sep="\n")
+
+
+def write_pages():
     for name, command in (("FaultTables.md", [GIVEN.programs / "FaultStudy"]), ("ReflectionTables.md", [GIVEN.programs / "ReflectionStudy"]),
                           ("Benchmarks.md", [STUDIES / "benchmark.sh", "--markdown"])):
         (PAGES / name).write_text(output_of(*command), encoding="utf-8")
@@ -219,8 +228,10 @@ def main():
             if GIVEN.write:
                 page.write_text(page.read_text(encoding="utf-8").replace(then, now, 1), encoding="utf-8")
         wrong += now != then
+    if GIVEN.slow:
+        print_benchmarks()
     if GIVEN.slow and GIVEN.write:
-        write_slow()
+        write_pages()
     sys.exit(wrong > 0)
 
 
