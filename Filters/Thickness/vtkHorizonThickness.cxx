@@ -51,7 +51,7 @@ vtkPolyData* FindOther(const std::vector<vtkSmartPointer<vtkPolyData>>& others, 
   if (found.size() != 1)
   {
     throw InputError(std::to_string(found.size()) +
-      " other horizons with points, expected one as the input Other, for instance by Extract Block");
+      " other horizons with points, expected one as the input Other Horizon, for instance by Extract Block");
   }
   return found.front();
 }
@@ -131,7 +131,7 @@ void vtkHorizonThickness::ShareHorizons(
     [](const RankedHorizon& horizon) { return horizon.Points > 0; });
   if (shared.size() > 2)
   {
-    ranks.Refuse(std::to_string(shared.size()) + " horizons with points, expected two, or one as the input Other");
+    ranks.Refuse(std::to_string(shared.size()) + " horizons with points, expected two, or one as the input Other Horizon");
   }
   this->Others = ShareOnRanks(shared, own, ranks);
 }

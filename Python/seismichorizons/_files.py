@@ -270,7 +270,7 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
             endings = ", ".join(ending for ending, (_, kind) in FORMATS.items() if kind in (what, "any"))
             raise ValueError("%s: a %s, expected %s" % (path, what, "a " + holds if holds else "one of the extensions " + endings))
         if holds == "any" and form != "vtp" and one.lattice is None:
-            raise ValueError("%s: %s has no lattice, expected the mesh of a horizon" % (path, one.name))
+            raise ValueError("%s: %s has no lattice, expected the mesh of a horizon; horizon-mesh --formats %s meshes surfaces of others again" % (path, one.name, path.suffix[1:].lower()))
     if not path.absolute().parent.is_dir():
         raise FileNotFoundError("%s: no folder %s" % (path, path.absolute().parent))
     way = direction or (next(iter(many.values())).direction if many else "down")

@@ -220,7 +220,7 @@ def process(path, label, stem, results, settings, with_pictures, record, stack=N
     found = Found()
     with tempfile.TemporaryDirectory(dir=results.workspace) as folder:
         made = _run_stages(label, supply, settings, record, names, pathlib.Path(folder), found)
-        lines = _write(made, names, pathlib.Path(folder))
+        lines = _write(made, names, pathlib.Path(folder), settings.written_direction)
         if stack is not None and len(made) == 1:
             stack.append((stem, made[0].name, writing.prepared(made[0])))
         elif settings.joins_horizons():
@@ -289,7 +289,7 @@ def _run_stages(label, supply, settings, record, names, folder, found):
             record.warn("%s: %s" % (label, warning))
         files = _files_of(result, names.meshes[name], record, label)
         if files and (data.count_points(result.data["mesh"]) or not settings.leave_out_invalid):
-            _write_mesh(result, files, names.lines.get(name, {}), folder, record, settings.grids_of_meshes)
+            _write_mesh(result, files, names.lines.get(name, {}), folder, record, settings)
             record.add_horizon(result, supply, files)
             results.append(result)
         result.data.pop("measured", None)
@@ -317,19 +317,19 @@ def _files_of(result, files, record, label):
     return kept
 
 
-def _write_mesh(result, files, fault_files, folder, record, grids_of_meshes):
+def _write_mesh(result, files, fault_files, folder, record, settings):
     for name in files:
-        for warning in writing.write(result, folder / name, grids_of_meshes):
+        for warning in writing.write(result, folder / name, settings.grids_of_meshes, settings.written_direction):
             record.warn("%s: %s" % (name, warning))
     for name, given in fault_files.items():
-        writing.write_fault_lines(result.data[given], folder / name)
+        writing.write_fault_lines(result.data[given], folder / name, settings.written_direction)
 
 
-def _write(results, names, folder):
+def _write(results, names, folder, direction):
     """Writes results and returns the lines to print."""
     lines = []
     for name in names.faults:
-        writing.write_data(results[0].data["fault surfaces"], folder / name, "Faults")
+        writing.write_data(results[0].data["fault surfaces"], folder / name, "Faults", direction)
     for name in names.figures:
         writing.write_tables([result.figures for result in results], folder / name)
     for name in names.pictures:
@@ -364,7 +364,7 @@ def _write_layers(label, points, settings, names, folder, record):
         warnings += writing.write_cells(made.cells, folder / name)
     for number, (name, body) in enumerate(made.bodies.items()):
         for form in names.body_formats:
-            for warning in writing.write_data(body, folder / names.body(number, form), name):
+            for warning in writing.write_data(body, folder / names.body(number, form), name, settings.written_direction):
                 record.warn("%s: %s" % (names.body(number, form), warning))
     for warning in warnings:
         record.warn("%s: %s" % (label, warning))

@@ -17,7 +17,7 @@ def write(points, settings, label, names, folder):
         writing.write_tables([table], folder / name)
     for place, name in enumerate(points):
         for file, given in names.cutoffs[name].items():
-            writing.write_fault_lines(made[given][place], folder / file)
+            writing.write_fault_lines(made[given][place], folder / file, settings.written_direction)
     table = made["figures"]
     lines = ["%s at %s: throw %.4g to %.4g, mean %.4g; guessed %d of %d places" % row for row in zip(
         table["Horizon"], table["Fault"], table["ThrowLeast"], table["ThrowLargest"], table["ThrowMean"], table["Guessed"], table["Places"])]

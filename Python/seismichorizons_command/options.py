@@ -34,6 +34,8 @@ def add_result_options(group):
                        "vtp)")
     group.add_argument("--grids-of-meshes", action="store_true", help="write grids with the heights of the meshes "
                        "instead of the points of the horizons")
+    group.add_argument("--written-direction", choices=VERTICAL_DIRECTIONS, default=NOT_GIVEN, help="direction in which z of written "
+                       "grids, picks, lines and GOCAD files increases; Petrel expects Up (default: as in the input; Up for GOCAD meshes)")
 
 
 def add_report_options(group):

@@ -73,6 +73,7 @@ class Settings:
     cutoffs: Optional[dict] = None  # between all horizons of a file, or of several files of one each
     sealed: Optional[dict] = None
     grids_of_meshes: bool = False  # not of points
+    written_direction: str = ""  # "down" or "up"; empty for that of the input
     other_files: tuple = ()
     memory: Optional[int] = None
     jobs: int = 1

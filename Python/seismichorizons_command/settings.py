@@ -79,6 +79,7 @@ def make_settings(options):
     settings.formats = options.formats
     settings.fault_formats = options.fault_formats
     settings.grids_of_meshes = options.grids_of_meshes
+    settings.written_direction = getattr(options, "written_direction", "").lower()
     settings.memory = options.memory
     settings.jobs = options.jobs
     settings.other_files = [*getattr(options, "limits", []), *getattr(options, "fault_lines", []), *getattr(options, "fault_sticks", []),

@@ -28,11 +28,11 @@ def is_of_points(form, grids_of_meshes=False):
     return form in POINT_FORMATS or form in GRID_FORMATS and not grids_of_meshes
 
 
-def write(result, path, grids_of_meshes=False):
+def write(result, path, grids_of_meshes=False, direction=""):
     """Writes a result (pipeline.Result) in the format of the file extension: its mesh, or the points from which the mesh
     was made. Returns warnings. Raises HorizonError."""
     is_mesh = not is_of_points(path.suffix[1:], grids_of_meshes)
-    return write_data(result.data["mesh"] if is_mesh else prepared(result), path, result.name)
+    return write_data(result.data["mesh"] if is_mesh else prepared(result), path, result.name, direction)
 
 
 def prepared(result):
@@ -40,12 +40,12 @@ def prepared(result):
     return next(result.data[name] for name in ("filled", "torn", "despiked", "points") if name in result.data)
 
 
-def write_data(given, path, name):
-    """Writes a mesh or the points of a horizon, with a name, in the format of the file extension. Returns warnings. Raises
-    HorizonError."""
+def write_data(given, path, name, direction=""):
+    """Writes a mesh or the points of a horizon, with a name, in the format of the file extension. z increases in a direction,
+    or as in the input. Returns warnings. Raises HorizonError."""
     form = path.suffix[1:]
     if form == "tif":
-        direction = "down" if data.vertical_direction(given) < 0 else "up"
+        direction = direction or ("down" if data.vertical_direction(given) < 0 else "up")
         with core.errors():
             content, warnings = core.run(lambda progress: _gdal.image(given, path, direction, progress), label="%s: writing" % path.name)
         write_file(content, path)
@@ -53,13 +53,14 @@ def write_data(given, path, name):
     if form == "vtp":
         write_file(_xml.poly_data(given), path)
         return []
-    return _run(path, _core.write, POINT_FORMATS.get(form, form), [(name, given)], {"arrays": "picks"})
+    way = {"sense": direction, "is_down": direction == "down"} if direction else {}
+    return _run(path, _core.write, POINT_FORMATS.get(form, form), [(name, given)], {"arrays": "picks", **way})
 
 
-def write_fault_lines(lines, path):
+def write_fault_lines(lines, path, direction=""):
     """Writes fault lines or cutoffs, unless there are none. Raises HorizonError."""
     if data.count_lines(lines):
-        _run(path, lambda place, given, progress: _files.write(given, place, progress=progress), Lines.of(lines))
+        _run(path, lambda place, given, progress: _files.write(given, place, direction=direction, progress=progress), Lines.of(lines))
 
 
 def write_cells(grid, path):

@@ -100,6 +100,17 @@ class BatchTest(unittest.TestCase):
         self.assertLess(middles[0], 0.0)
         self.assertEqual(middles[0], -middles[1])
 
+    def test_written_direction(self):
+        """Grids and picks have z as it is said, and GOCAD files say it."""
+        for direction, sign in (("Down", 1.0), ("Up", -1.0)):
+            self.succeed(SAMPLE, "--horizons", "1", "--formats", "irap,dat,ts", "--written-direction", direction, "--no-pictures")
+            heights = {"irap": [float(word) for word in (self.output / "blobs_horizon_1.irap").read_text().split()[19:]],
+                       "dat": [float(line.split()[2]) for line in (self.output / "blobs_horizon_1.dat").read_text().splitlines() if line[0] != "#"],
+                       "ts": [float(line.split()[4]) for line in (self.output / "blobs_horizon_1.ts").read_text().splitlines() if "VRTX" in line]}
+            for name, values in heights.items():
+                self.assertTrue(all(sign * value > 0.0 for value in values if value < 9999900.0), (name, direction, values[:3]))
+            self.assertIn("ZPOSITIVE " + ("Depth" if sign > 0.0 else "Elevation"), (self.output / "blobs_horizon_1.ts").read_text())
+
     def test_elaborate(self):
         """After the rough simplification, and alone; with points of the input only, counts are all of them."""
         points = []
