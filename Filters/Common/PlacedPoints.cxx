@@ -161,21 +161,21 @@ PlacedPoints SampleOn(const Lattice& lattice, const Horizon& mesh, const Horizon
 //----------------------------------------------------------------------------------------------------------------------
 SurveyDescription JoinSurveys(const SurveyDescription& first, const Horizon& other, const HorizonNames& names)
 {
-  const auto join = [&names](const std::string& name, std::string& known, const std::string& found)
+  const auto join = [&names](const std::string& what, std::string& known, const std::string& found)
   {
     if (!known.empty() && !found.empty() && ToLower(Trim(known)) != ToLower(Trim(found)))
     {
-      throw InputError(
-        names.Placed + " of the " + name + " \"" + found + "\", expected \"" + known + "\" as of " + names.First);
+      throw InputError(names.Placed + " with " + what + " \"" + found + "\", expected \"" + known + "\" as in " + names.First +
+        ": convert one of them");
     }
     known = known.empty() ? found : known;
   };
   SurveyDescription joined = WithDomain(first);
   const SurveyDescription own = WithDomain(ReadSurveyFields(other.FieldData));
-  join("VerticalDomain", joined.VerticalDomain, own.VerticalDomain);
-  join("VerticalUnit", joined.VerticalUnit, own.VerticalUnit);
-  join("HorizontalUnit", joined.HorizontalUnit, own.HorizontalUnit);
-  join("CoordinateSystem", joined.CoordinateSystem, own.CoordinateSystem);
+  join("z in", joined.VerticalDomain, own.VerticalDomain);
+  join("z in", joined.VerticalUnit, own.VerticalUnit);
+  join("x and y in", joined.HorizontalUnit, own.HorizontalUnit);
+  join("the coordinate system", joined.CoordinateSystem, own.CoordinateSystem);
   return joined;
 }
 

@@ -262,7 +262,8 @@ def write(data: Any, path: str | os.PathLike[str], *, name: str | None = None, w
     many = dict(data) if isinstance(data, Mapping) else {n: one for n, one in enumerate(data)} if isinstance(data, (list, tuple)) else {0: data}
     for one in many.values():
         if not isinstance(one, (Mesh, Horizon)):
-            raise TypeError("writing %s, expected a Mesh or a Horizon, or a list or dict of these, or Lines" % type(one).__name__)
+            own = ": it has a method write of its own" if hasattr(one, "write") else ""
+            raise TypeError("writing %s, expected a Mesh or a Horizon, or a list or dict of these, or Lines%s" % (type(one).__name__, own))
     form, holds = FORMATS.get(path.suffix.lower(), ("", ""))
     for one in many.values():
         what = "mesh" if isinstance(one, Mesh) else "horizon"

@@ -94,7 +94,7 @@ def links_of(given: Faults | None) -> Any:
 
 def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise: float | str | None = None, smallest_extent: int = 20,
            smallest_branch: int = 10, largest_gap: int = 5, largest_ramp: int = 7, join_through_holes: bool = True,
-           lines: Any = None, are_sticks: bool = False, extend_sticks: bool = False, polygons: str = "blank", detect: bool | None = None,
+           lines: Any = None, are_sticks: bool | None = None, extend_sticks: bool = False, polygons: str = "blank", detect: bool | None = None,
            progress: Progress | None = None) -> Faults:
     """Detects faults in a horizon, or uses fault lines that you supply.
 
@@ -118,8 +118,9 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
         Joins fault lines across a hole if they point towards each other and have similar throws.
     lines : Lines, list of Lines, or list of arrays of shape (n, 3), optional
         Fault traces, polygons or sticks in the coordinates of the horizon, as from `read_faults`.
-    are_sticks : bool
-        Treats the lines as sticks down the fault plane, not as traces in map view. Arrays are sticks of one fault.
+    are_sticks : bool, optional
+        Treats the lines as sticks down the fault plane, not as traces in map view. Arrays are sticks of one fault. By
+        default they are traces, and lines that look like sticks are refused.
     extend_sticks : bool
         Extends stick surfaces at both ends by the last stick spacing.
     polygons : "blank", "cut" or "leave"
@@ -142,7 +143,12 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     (1, 60, 30.0)
     """
     require_horizon(horizon, "fault detection")
-    given = None if lines is None else _core.GivenFaults(lines_of(lines, "Fault" if are_sticks else "")._data())
+    if isinstance(smallest_throw, Lines):
+        raise TypeError("fault lines as smallest_throw, expected a height: faults(horizon, lines=...)")
+    of_fault = None if lines is None else lines_of(lines, "Fault" if are_sticks else "")
+    if of_fault is not None and are_sticks is None and _look_like_sticks(of_fault):
+        raise ValueError("lines that look like fault sticks, expected are_sticks=True for these, or False for traces in map view")
+    given = None if of_fault is None else _core.GivenFaults(of_fault._data())
     options = {"smallest_extent": int(smallest_extent), "smallest_branch": int(smallest_branch), "largest_gap": int(largest_gap),
                "largest_ramp": int(largest_ramp), "join_through_holes": bool(join_through_holes), "are_sticks": bool(are_sticks and lines is not None),
                "extend_sticks": bool(extend_sticks), "polygons": polygons, "detect": lines is None if detect is None else bool(detect),
@@ -156,6 +162,19 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
     noise_found, least = (float(fields[name][0]) * step if name in fields else np.nan for name in ("FaultNoise", "SmallestFaultThrow"))
     return Faults(fields["FaultedLinks"], fields["FaultLine"], fields["FaultNames"], fields["FaultThrow"] * horizon.lattice.vertical_step, noise_found, least,
                   Lines.of(traces), _changed(horizon, cut), by_fault(surfaces), horizon.vertical_unit)
+
+
+def _look_like_sticks(lines: Lines) -> bool:
+    """Whether three lines or more of a named fault go down, and cover little of its length in map view."""
+    for fault in set(lines.names) - {""}:
+        own = [line for line, name in zip(lines.lines, lines.names) if name == fault]
+        places = np.concatenate(own)[:, :2]
+        along = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)[2][0]
+        go_down = [np.ptp(line[:, 2]) > 0.0 and abs(np.sign(np.diff(line[:, 2])).sum()) == len(line) - 1 for line in own]
+        covered = sum(np.ptp(line[:, :2] @ along) for line in own)
+        if len(own) > 2 and sum(go_down) > 0.5 * len(own) and covered < 0.5 * np.ptp(places @ along):
+            return True
+    return False
 
 
 def contours(surface: Horizon | Mesh, interval: float | str | None = None, *, faults: Faults | None = None,

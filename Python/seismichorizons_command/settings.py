@@ -90,11 +90,12 @@ def make_settings(options):
     throw = getattr(options, "cut_faults", None)
     settings.torn, settings.fault_lines, settings.fault_files = fault_settings(
         None if throw is None else _unit(throw), settings.reader.get("VerticalDirection"), throw, **given(options, traces="fault_lines", sticks="fault_sticks"))
-    for name, is_given in (("fault-formats", settings.fault_formats), ("cutoffs", hasattr(options, "cutoffs")), ("sealed", hasattr(options, "sealed"))):
+    for name, is_given in (("close-faults", options.close_faults), ("fault-formats", settings.fault_formats), ("cutoffs", hasattr(options, "cutoffs")), ("sealed", hasattr(options, "sealed"))):
         if is_given and settings.torn is None:
             raise HorizonError("--%s without faults, expected --cut-faults, --fault-lines or --fault-sticks" % name)
     of_sealed = ("fault_endings", "fault_tips", "unconformities", "walls")
-    for name, needed in (("fault_dip", ("cutoffs", "sealed")), *((name, ("sealed",)) for name in of_sealed)):
+    of_plates = (("gridding_radius", ("gridding",)), ("gridding_smoothing", ("gridding",)))
+    for name, needed in (*of_plates, ("fault_dip", ("cutoffs", "sealed")), *((name, ("sealed",)) for name in of_sealed)):
         if hasattr(options, name) and not any(hasattr(options, other) for other in needed):
             raise HorizonError("--%s without %s, expected both" % (name.replace("_", "-"), " or ".join("--" + other for other in needed)))
     if hasattr(options, "cutoffs"):

@@ -290,12 +290,23 @@ class FaultsOut(unittest.TestCase):
                 sticks = self.again(dataclasses.replace(given, vertical_unit="m"), ending)
                 self.assertEqual((sticks.vertical_unit, sticks.vertical_domain), ("m", "depth"))
                 for use in (lambda lines: sh.faults(horizon, lines=lines, are_sticks=True), lambda lines: sh.cutoffs({"Top": horizon}, lines)):
-                    with self.assertRaisesRegex(ValueError, 'VerticalDomain "depth", expected "time"'):
+                    with self.assertRaisesRegex(ValueError, 'with z in "depth", expected "time"'):
                         use(sticks)
-                sh.faults(horizon, lines=sticks)  # traces on the map need no z
+                sh.faults(horizon, lines=sticks, are_sticks=False)  # traces on the map need no z
                 sh.write(dataclasses.replace(given, vertical_unit="ms"), FOLDER / ("ms" + ending))
                 with self.assertRaisesRegex(ValueError, "ms%s: z in ms, expected m as in " % ending):
                     sh.read_faults([FOLDER / ("out" + ending) / ("lines" + ending), FOLDER / ("ms" + ending)])
+
+    def test_sticks_are_no_traces(self):
+        """Python refuses to take sticks for traces on the map unless it is said."""
+        given = sh.read_faults(write("sticks.csv", FILES[0][1]))
+        with self.assertRaisesRegex(ValueError, "look like fault sticks, expected are_sticks=True"):
+            sh.faults(HORIZON, lines=given)
+        traces = sh.faults(HORIZON, lines=given, are_sticks=True).traces
+        self.assertGreater(len(sh.faults(HORIZON, lines=traces).links), 0)
+        sh.faults(HORIZON, lines=given, are_sticks=False)
+        with self.assertRaisesRegex(TypeError, "faults\\(horizon, lines="):
+            sh.faults(HORIZON, given)
 
     def test_names(self):
         """In links, lines and surfaces, and in files of the command."""

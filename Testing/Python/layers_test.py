@@ -328,8 +328,8 @@ class LayersTest(unittest.TestCase):
             self.assertEqual(vtk_inputs.details(made.cells).vertical_unit, "m")
             self.assertEqual(abs(vtk_inputs.details(made.cells).lattice_to_world[2, 2]), 1.0)
         for name, units in (("HorizontalUnit", ("ft", "m")), ("VerticalUnit", ("ms", "m")), ("CoordinateSystem", ("EPSG:23031", "EPSG:32631"))):
-            with self.assertRaisesRegex(ValueError, 'Two of the Vertical(Domain "depth"|Unit)|Two of the HorizontalUnit "m", expected "ft" as of One'
-                                        '|Two of the CoordinateSystem "EPSG:32631", expected "EPSG:23031" as of One'):
+            with self.assertRaisesRegex(ValueError, 'Two with z in "depth"|Two with z in|Two with x and y in "m", expected "ft" as in One: convert'
+                                        '|Two with the coordinate system "EPSG:32631", expected "EPSG:23031" as in One'):
                 vtk_inputs.layers({number: mesh_checks.with_text(bare, name, unit) for number, unit in zip(("One", "Two"), units)})
         for name, same in (("HorizontalUnit", ("m", "metre", "Metres")), ("VerticalUnit", ("metres", "m")), ("CoordinateSystem", ("EPSG:23031", "epsg:23031"))):
             vtk_inputs.layers({str(n): mesh_checks.with_text(on_grid(430.0 + 10.0 * n + 0 * X), name, unit) for n, unit in enumerate(same)})
@@ -352,7 +352,7 @@ class LayersTest(unittest.TestCase):
                                   ({"SmallestAngle": 70.0}, "smallest angle 70, expected .*60")):
             with self.assertRaisesRegex(ValueError, message):
                 vtk_inputs.layers(pair, **keywords)
-        with self.assertRaisesRegex(ValueError, 'Base of the VerticalDomain "time", expected "depth" as of Top'):
+        with self.assertRaisesRegex(ValueError, 'Base with z in "time", expected "depth" as in Top'):
             vtk_inputs.layers({name: mesh_checks.with_text(points, "VerticalDomain", domain)
                                for (name, points), domain in zip(pair.items(), ("depth", "time"))})
         with self.assertWarnsRegex(UserWarning, "z is time, so that volumes are areas times time"):

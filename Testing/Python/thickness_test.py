@@ -201,9 +201,10 @@ class ThicknessTest(unittest.TestCase):
         vtk_to_numpy(holed.GetPoints().GetData())[5, 2] = 1e30  # as single precision has it
         with self.assertRaisesRegex(ValueError, "a point of the other horizon at .*, expected at most 2\\^50 vertical indices"):
             vtk_inputs.thickness(top, holed)
-        for name, value, other in (("VerticalDomain", "time", "depth"), ("VerticalUnit", "ms", "s"), ("CoordinateSystem", "EPSG:23031", "EPSG:32631")):
-            with self.assertRaisesRegex(ValueError, 'the other horizon of the %s "%s", expected "%s" as of the first one'
-                                        % (name, other, value)):
+        for name, what, value, other in (("VerticalDomain", "z in", "time", "depth"), ("VerticalUnit", "z in", "ms", "s"),
+                                         ("CoordinateSystem", "the coordinate system", "EPSG:23031", "EPSG:32631")):
+            with self.assertRaisesRegex(ValueError, 'the other horizon with %s "%s", expected "%s" as in the first one: convert one of them'
+                                        % (what, other, value)):
                 vtk_inputs.thickness(mesh_checks.with_text(top, name, value), mesh_checks.with_text(base, name, other))
         with self.assertWarnsRegex(UserWarning, "the horizons cross in .* columns, expected few"):
             mean = np.mean(vtk_to_numpy(top.GetPoints().GetData())[:, 2] - 0.0)

@@ -554,8 +554,8 @@ std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
     surfaces.push_back(
       { input.Outline.empty() ? ofBox[wall] : "Wall " + std::to_string(wall + 1), SealedSurfaceType::Wall });
   }
-  surfaces.push_back({ "Base", SealedSurfaceType::Limit });
-  surfaces.push_back({ "Top", SealedSurfaceType::Limit });
+  surfaces.push_back({ "Model base", SealedSurfaceType::Limit });
+  surfaces.push_back({ "Model top", SealedSurfaceType::Limit });
   return surfaces;
 }
 
