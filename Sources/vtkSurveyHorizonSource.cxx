@@ -49,12 +49,17 @@ std::vector<vtkSmartPointer<vtkDataObject>> vtkSurveyHorizonSource::MakeHorizons
   const std::vector<int>& numbers, const Monitor& monitor)
 {
   SurveyHorizons survey = this->ReadSurvey(monitor.Step(0.0, 0.8));
+  const std::string replaced = OverrideSurvey(
+    survey.Survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
+  if (!replaced.empty())
+  {
+    survey.Warnings.push_back(replaced);
+  }
   for (const std::string& warning : survey.Warnings)
   {
     vtkWarningMacro(<< this->ErrorPrefix() << warning);
   }
   RequireAnyPoints(survey.Horizons, this->ErrorPrefix());
-  OverrideSurvey(survey.Survey, this->VerticalUnit, this->VerticalDomain, this->HorizontalUnit, this->CoordinateSystem);
   using Direction = SeismicHorizons::VerticalDirection;
   const auto direction = this->VerticalDirection == Automatic
     ? std::nullopt

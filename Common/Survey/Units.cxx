@@ -44,17 +44,24 @@ void SetVerticalUnit(SurveyDescription& survey, std::string_view unit)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void OverrideSurvey(SurveyDescription& survey, const char* verticalUnit, const char* verticalDomain,
+std::string OverrideSurvey(SurveyDescription& survey, const char* verticalUnit, const char* verticalDomain,
   const char* horizontalUnit, const char* coordinateSystem)
 {
   const auto isGiven = [](const char* text) { return text && *text; };
+  std::string warning;
   if (isGiven(verticalUnit))
   {
+    if (!survey.VerticalUnit.empty() && survey.VerticalUnit != ShortUnit(verticalUnit))
+    {
+      warning = "z in " + survey.VerticalUnit + " in the file, replaced by VerticalUnit " + verticalUnit +
+        ": numbers are not converted";
+    }
     survey.VerticalDomain.clear();
     SetVerticalUnit(survey, verticalUnit);
   }
   survey.VerticalDomain = isGiven(verticalDomain) ? verticalDomain : survey.VerticalDomain;
   survey.HorizontalUnit = isGiven(horizontalUnit) ? horizontalUnit : survey.HorizontalUnit;
   survey.CoordinateSystem = isGiven(coordinateSystem) ? coordinateSystem : survey.CoordinateSystem;
+  return warning;
 }
 }

@@ -20,7 +20,8 @@ std::string KnownUnit(std::string_view unit);
 void SetVerticalUnit(SurveyDescription& survey, std::string_view unit);
 
 /// Texts that are given, neither null nor empty, replace those of the survey. Without a domain it follows from the unit.
-void OverrideSurvey(SurveyDescription& survey, const char* verticalUnit, const char* verticalDomain,
+/// Returns a warning if the survey has z in another unit, else an empty text.
+std::string OverrideSurvey(SurveyDescription& survey, const char* verticalUnit, const char* verticalDomain,
   const char* horizontalUnit, const char* coordinateSystem);
 }
 

@@ -60,9 +60,9 @@ struct Framing
     }
   }
 
-  void Override(SurveyDescription& description) const
+  std::string Override(SurveyDescription& description) const
   {
-    OverrideSurvey(
+    return OverrideSurvey(
       description, this->Survey[0].c_str(), this->Survey[1].c_str(), this->Survey[2].c_str(), this->Survey[3].c_str());
   }
 };
@@ -73,7 +73,11 @@ using NamedHorizons = std::vector<NamedHorizon>;
 nb::tuple GiveHorizons(SurveyHorizons survey, const std::vector<std::string>& names, const Framing& framing)
 {
   RequireAnyPoints(survey.Horizons, "");
-  framing.Override(survey.Survey);
+  const std::string replaced = framing.Override(survey.Survey);
+  if (!replaced.empty())
+  {
+    survey.Warnings.push_back(replaced);
+  }
   const FramedSurvey framed = FrameSurvey(survey, framing.VerticalStep, framing.Direction);
   NamedHorizons horizons;
   for (std::size_t number = 0; number < survey.Horizons.size(); ++number)

@@ -124,6 +124,7 @@ class FilesTest(unittest.TestCase):
                      ["triangles"] for error in ("2ms", "0.002 s", "0.02ms")]
         self.assertEqual(triangles[0], triangles[1])
         self.assertGreater(triangles[2], 2 * triangles[0])
+        self.assertEqual(self.run_program("--vertical-unit", "ms", dome)[1], [])
         for arguments, text in (
                 (("--largest-error", "2m", dome), "2m for z in ms, expected ms or s (--vertical-unit says what z is in)"),
                 (("--vertical-unit", "ms", SAMPLE), "--vertical-unit ms, and z in vertical indices, expected --vertical-step with"),
@@ -135,7 +136,8 @@ class FilesTest(unittest.TestCase):
             self.assertEqual((code, len(messages), files(self.output)), (1, 1, ["dome.vtp"]), messages)
             self.assertIn(text, messages[0])
         code, messages, told = self.run_program("--largest-error", "2m", "--vertical-unit", "m", dome)
-        self.assertEqual((code, messages), (0, []))
+        self.assertEqual((code, messages), (
+            0, ["warning: dome.csv: z in ms in the file, replaced by --vertical-unit m: numbers are not converted"]))
         self.assertIn("1224.9 m, growing", told)
         code, messages, _ = self.run_program("--largest-error", "2ms", "--vertical-step", "4", SAMPLE)
         self.assertEqual((code, messages), (0, []))

@@ -311,10 +311,10 @@ class BatchTest(unittest.TestCase):
         self.output.mkdir()
         really_write = writing.write_data
 
-        def fail_at_the_second(mesh, path, name):
+        def fail_at_the_second(mesh, path, name, direction):
             if path.stem.endswith("2"):
                 raise OSError("disk full")
-            really_write(mesh, path, name)
+            really_write(mesh, path, name, direction)
             self.assertTrue(path.is_file())
             return []
 
@@ -329,8 +329,8 @@ class BatchTest(unittest.TestCase):
         self.output = self.output / "below"
         really_write = writing.write_data
 
-        def write_data(mesh, path, name):
-            really_write(mesh, path, name)
+        def write_data(mesh, path, name, direction):
+            really_write(mesh, path, name, direction)
             os.kill(os.getpid(), signal.SIGINT)
             return []
 

@@ -24,6 +24,9 @@ def refused(words):
 
 
 def main():
+    if not shutil.which("git"):
+        print("no git")
+        sys.exit(77)
     shutil.rmtree(FOLDER, ignore_errors=True)
     (FOLDER / "Utilities").mkdir(parents=True)
     shutil.copy(SCRIPT, FOLDER / "Utilities")

@@ -6,7 +6,7 @@
     figures.py [--write] [--slow] PROGRAMS [REAL]
 
 Needs the package seismichorizons in PYTHONPATH. PROGRAMS is the folder of the built programs (bin). REAL has real horizons
-as files *.ijz and cubes; without it, figures of these are left out. --write puts the new figures into the pages. --slow
+as files *.ijz and cubes; without them, figures of these are left out. --write puts the new figures into the pages. --slow
 also compares a table that takes minutes, prints what the benchmarks say whose tables on StageTables.md are put in by hand,
 and with --write makes whole pages anew: their times differ from run to run.
 
@@ -35,8 +35,10 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 parser.add_argument("--write", action="store_true")
 parser.add_argument("--slow", action="store_true")
 parser.add_argument("programs", type=lambda path: pathlib.Path(path).resolve())
-parser.add_argument("real", nargs="?", type=lambda path: pathlib.Path(path).resolve() if path else None)
+parser.add_argument("real", nargs="?", type=lambda path: pathlib.Path(path).resolve())
 GIVEN = parser.parse_args()
+if GIVEN.real and not (GIVEN.real / "penobscot").is_dir():
+    GIVEN.real = None
 FOLDER = pathlib.Path(tempfile.mkdtemp())
 
 
