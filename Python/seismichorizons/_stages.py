@@ -167,12 +167,14 @@ def faults(horizon: Horizon, smallest_throw: float | str | None = None, *, noise
 def _look_like_sticks(lines: Lines) -> bool:
     """Whether three lines or more of a named fault go down, and cover little of its length in map view."""
     for fault in set(lines.names) - {""}:
-        own = [line for line, name in zip(lines.lines, lines.names) if name == fault]
+        own = [line for line, name in zip(lines.lines, lines.names) if name == fault and len(line) > 1]
+        if len(own) < 3 or not np.isfinite(np.concatenate(own)).all():
+            continue  # What is not finite is refused where lines are read.
         places = np.concatenate(own)[:, :2]
         along = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)[2][0]
         go_down = [np.ptp(line[:, 2]) > 0.0 and abs(np.sign(np.diff(line[:, 2])).sum()) == len(line) - 1 for line in own]
         covered = sum(np.ptp(line[:, :2] @ along) for line in own)
-        if len(own) > 2 and sum(go_down) > 0.5 * len(own) and covered < 0.5 * np.ptp(places @ along):
+        if sum(go_down) > 0.5 * len(own) and covered < 0.5 * np.ptp(places @ along):
             return True
     return False
 

@@ -4,7 +4,6 @@
 #include "FaultColumns.h"
 
 #include "Common/Base/Errors.h"
-#include "Common/Survey/Units.h"
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
@@ -214,16 +213,6 @@ bool IsElevationAt(const TextLayout& header, int column)
     IsElevation(header.Columns[std::size_t(column)].Name);
 }
 
-/// The unit and domain of z by its name.
-void DescribeZ(std::string_view name, SurveyDescription& survey)
-{
-  survey.VerticalDomain = survey.VerticalDomain.empty() ? DomainOfName(name) : survey.VerticalDomain;
-  if (survey.VerticalUnit.empty())
-  {
-    SetVerticalUnit(survey, UnitOfName(name));
-  }
-}
-
 /// Names above the numbers, if these say where the points are. Throws InputError unless there are as many fields, but for
 /// empty ones at the end: else names would be of other fields. "x y z" alone says no more than the values do.
 std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, const std::vector<Fields>& rows)
@@ -346,7 +335,7 @@ FaultColumns FindFaultColumns(const TextLines& lines, const FaultTextOptions& op
     columns.Roles = *named;
     const int z = columns.Find(FaultRole::Z);
     columns.IsUpright = IsElevationAt(header, z);
-    DescribeZ(header.Columns[std::size_t(z)].Name, columns.Survey);
+    DescribeZ(columns.Survey, header.Columns[std::size_t(z)].Name);
     columns.SaysFaults = std::any_of(header.Columns.begin(), header.Columns.end(),
       [](const TextColumn& column)
       {

@@ -8,6 +8,7 @@
 
 #include "Common/Horizon/Types.h"
 #include "Common/Survey/Units.h"
+#include "Common/Text/TextWords.h"
 #include "Readers/GOCADTSurf/VertexIds.h"
 
 #include <array>
@@ -101,9 +102,7 @@ private:
     }
     else if (this->Keyword == "axis_unit" && words.size() > 3)
     {
-      const std::string_view unit = words[3];
-      const bool isQuoted = unit.size() > 1 && unit.front() == '"' && unit.back() == '"';
-      SetVerticalUnit(this->File.Survey, KnownUnit(isQuoted ? unit.substr(1, unit.size() - 2) : unit));
+      SetVerticalUnit(this->File.Survey, KnownUnit(Unquote(words[3])));
     }
     else if (this->Keyword == "zpositive")
     {

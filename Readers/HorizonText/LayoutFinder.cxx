@@ -3,7 +3,6 @@
 
 #include "HorizonTextParser.h"
 
-#include "Common/Survey/Units.h"
 #include "Common/Text/LineErrors.h"
 #include "Common/Text/TextFields.h"
 #include "FieldGuess.h"
@@ -202,12 +201,7 @@ void DescribeZ(TextLayout& layout, const std::vector<TextColumn>& names)
   const bool isNamed = unnamed <= std::min<std::size_t>(z, 1);
   const std::string name = isNamed ? names[z - unnamed].Name : layout.Columns[z].Name;
   const std::string unit = isNamed && layout.Units.size() == names.size() ? layout.Units[z - unnamed] : "";
-  SurveyDescription& survey = layout.Survey;
-  survey.VerticalDomain = survey.VerticalDomain.empty() ? DomainOfName(name) : survey.VerticalDomain;
-  if (survey.VerticalUnit.empty())
-  {
-    SetVerticalUnit(survey, unit.empty() ? UnitOfName(name) : unit);
-  }
+  DescribeZ(layout.Survey, name, unit);
 }
 
 /// Lines of other kinds may differ in all fields.

@@ -126,6 +126,16 @@ std::string_view DomainOfName(std::string_view name)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void DescribeZ(SurveyDescription& survey, std::string_view name, std::string_view unit)
+{
+  survey.VerticalDomain = survey.VerticalDomain.empty() ? DomainOfName(name) : survey.VerticalDomain;
+  if (survey.VerticalUnit.empty())
+  {
+    SetVerticalUnit(survey, unit.empty() ? UnitOfName(name) : unit);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void SettleRoles(std::vector<TextColumn>& columns)
 {
   KeepOneZ(columns);

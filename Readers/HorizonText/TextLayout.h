@@ -93,6 +93,9 @@ std::string_view UnitOfName(std::string_view name);
 /// Returns "time", "depth" or an empty text.
 std::string_view DomainOfName(std::string_view name);
 
+/// Sets the unit and domain of z, unless they are known, by its name, or by a unit that is given apart from it.
+void DescribeZ(SurveyDescription& survey, std::string_view name, std::string_view unit = {});
+
 /// Names are separated by commas, or else by blanks; "-" or "_" ignores a field. Throws InputError if a role is repeated, or z
 /// or the place is missing.
 std::vector<TextColumn> ParseColumnList(const std::string& list);

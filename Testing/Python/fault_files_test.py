@@ -305,6 +305,10 @@ class FaultsOut(unittest.TestCase):
         traces = sh.faults(HORIZON, lines=given, are_sticks=True).traces
         self.assertGreater(len(sh.faults(HORIZON, lines=traces).links), 0)
         sh.faults(HORIZON, lines=given, are_sticks=False)
+        for bad in (np.nan, np.inf):
+            broken = [np.where(np.arange(len(line))[:, None] == 1, bad, line) for line in given.lines]
+            with self.assertRaisesRegex(ValueError, "expected finite numbers"):
+                sh.faults(HORIZON, lines=dataclasses.replace(given, lines=broken))
         with self.assertRaisesRegex(TypeError, "faults\\(horizon, lines="):
             sh.faults(HORIZON, given)
 

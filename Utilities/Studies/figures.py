@@ -39,7 +39,8 @@ parser.add_argument("real", nargs="?", type=lambda path: pathlib.Path(path).reso
 GIVEN = parser.parse_args()
 if GIVEN.real and not (GIVEN.real / "penobscot").is_dir():
     GIVEN.real = None
-FOLDER = pathlib.Path(tempfile.mkdtemp())
+WORKSPACE = tempfile.TemporaryDirectory()  # removed at the end
+FOLDER = pathlib.Path(WORKSPACE.name)
 
 
 def output_of(*command):
