@@ -53,6 +53,13 @@ private:
   std::int32_t Factor;
 };
 
+/// A vertex that stays, at a height that need not be that of its point.
+struct LockedHeight
+{
+  PointId Point = NoPoint;
+  double Height = 0.0;
+};
+
 struct BoundedHorizon
 {
   std::vector<PlanePoint> Plane; // sub-voxels; empty if places are columns
@@ -64,6 +71,7 @@ struct BoundedHorizon
   std::int32_t SubVoxelsPerColumn = 1;
   /// These have no patch, but their heights count on links that cross edges, and where they lie on loops.
   DroppedPoints Dropped;
+  std::vector<LockedHeight> Locked; // points of loops, ascending
   std::shared_ptr<const LinkCuts> Cuts; // Points on different sides of cuts are never merged; null without cuts.
 
   SubVoxelPlaces Places() const

@@ -8,6 +8,7 @@
 #include "CoveredColumns.h"
 
 #include "Common/Base/FixedChunks.h"
+#include "Common/Base/Parallel.h"
 
 #include <algorithm>
 #include <tuple>
@@ -132,6 +133,26 @@ std::int64_t CoveredColumns::Count() const
     count += std::int64_t(run.Last) - run.First + 1;
   }
   return count;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<unsigned char> CoveredColumns::Mark(PlanePoints columns) const
+{
+  std::vector<unsigned char> marks(columns.size(), 0);
+  ParallelFor(std::int64_t(marks.size()), Grain,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (auto point = std::size_t(first); point < std::size_t(last);)
+      {
+        const Run* const run = this->FindRun(columns[point]);
+        for (; run && point < std::size_t(last) && run->Contains(columns[point]); ++point) // Points are mostly row-major.
+        {
+          marks[point] = 1;
+        }
+        point += run ? 0 : 1;
+      }
+    });
+  return marks;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -34,6 +34,9 @@ public:
 
   std::int64_t Count() const;
 
+  /// Marks columns that are covered with 1.
+  std::vector<unsigned char> Mark(PlanePoints columns) const;
+
   bool ArePart() const { return this->Rows.Left || this->Rows.Kept; }
 
   /// `filled` has the array Filled, or is empty. Points that are not kept are left out even in covered columns.

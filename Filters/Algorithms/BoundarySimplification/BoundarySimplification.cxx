@@ -241,6 +241,20 @@ public:
     this->WriteLoop();
   }
 
+  void Keep(const PointId* first, const PointId* last, const std::vector<unsigned char>& isKept)
+  {
+    this->Loop.assign(first, last);
+    this->Kept.clear();
+    for (std::size_t n = 0; n < this->Loop.size(); ++n)
+    {
+      if (isKept[this->Loop[n]] != 0)
+      {
+        this->Kept.push_back(n);
+      }
+    }
+    this->WriteLoop();
+  }
+
 private:
   /// The loop is rotated to the end of a run, since loops from other sources may begin within a run.
   void DropStepByStep()
@@ -565,6 +579,30 @@ double PlanDistance(const SpacePoints& points, PointId a, PointId b)
   return std::hypot(points[a].X - points[b].X, points[a].Y - points[b].Y);
 }
 
+/// Drops points on the loops or outside.
+void FindSides(const SpacePoints& points, const std::vector<SpannedPoint>& spanned, BoundarySimplification& result)
+{
+  std::vector<PointId> left;
+  left.reserve(spanned.size());
+  for (const SpannedPoint& one : spanned)
+  {
+    left.push_back(one.Point.Point);
+  }
+  // Loops that did not change in plan pass through all of these points.
+  const std::vector<LoopSide> sides = result.OutlineDeviation > 0.0 ? SideFinder(points, left).Find(result.Boundary)
+                                                                    : std::vector<LoopSide>(left.size(), LoopSide::On);
+  for (std::size_t n = 0; n < spanned.size(); ++n)
+  {
+    if (sides[n] != LoopSide::Inside)
+    {
+      result.Dropped.push_back(spanned[n].Point);
+      result.HeightDeviation = std::max(result.HeightDeviation, spanned[n].InHeight);
+      result.NumberOutside += sides[n] == LoopSide::Outside ? 1 : 0;
+    }
+  }
+  ParallelSort(result.Dropped, [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
+}
+
 BoundarySimplification SimplifyDivided(const SpacePoints& points, const Loops& boundary, const Loops& simplified,
   BoundarySimplificationOptions options, const Monitor& monitor)
 {
@@ -595,26 +633,24 @@ BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& 
     }
     simplifier.Simplify(boundary.begin(loop), boundary.end(loop), part);
   }
-  std::vector<PointId> left;
-  left.reserve(spanned.size());
-  for (const SpannedPoint& one : spanned)
-  {
-    left.push_back(one.Point.Point);
-  }
-  // Loops that did not change in plan pass through all of these points.
-  const std::vector<LoopSide> sides = result.OutlineDeviation > 0.0 ? SideFinder(points, left).Find(result.Boundary)
-                                                                    : std::vector<LoopSide>(left.size(), LoopSide::On);
-  for (std::size_t n = 0; n < spanned.size(); ++n)
-  {
-    if (sides[n] != LoopSide::Inside)
-    {
-      result.Dropped.push_back(spanned[n].Point);
-      result.HeightDeviation = std::max(result.HeightDeviation, spanned[n].InHeight);
-      result.NumberOutside += sides[n] == LoopSide::Outside ? 1 : 0;
-    }
-  }
-  ParallelSort(result.Dropped, [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
+  FindSides(points, spanned, result);
   return options.LongestEdge > 0.0 ? SimplifyDivided(points, boundary, result.Boundary, options, monitor) : result;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundarySimplification KeepOnly(
+  const SpacePoints& points, const Loops& boundary, const std::vector<unsigned char>& isKept)
+{
+  BoundarySimplification result;
+  std::vector<SpannedPoint> spanned;
+  const BoundarySimplificationOptions options;
+  LoopSimplifier simplifier(points, boundary, options, result, spanned, Monitor());
+  for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
+  {
+    simplifier.Keep(boundary.begin(loop), boundary.end(loop), isKept);
+  }
+  FindSides(points, spanned, result);
+  return result;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -81,6 +81,11 @@ struct BoundarySimplification
 BoundarySimplification SimplifyBoundary(const SpacePoints& points, const Loops& boundary,
   const BoundarySimplificationOptions& options, const Monitor& monitor = Monitor());
 
+/// The same for points that are kept, of each loop at least one: tells where the others lie. `points` may be those of the
+/// boundary alone.
+BoundarySimplification KeepOnly(
+  const SpacePoints& points, const Loops& boundary, const std::vector<unsigned char>& isKept);
+
 /// Calls visit(points) for each edge of simplified loops, with its ends and all points of the boundary between them.
 void ForEachChain(const Loops& boundary, const Loops& simplified, std::size_t points,
   const std::function<void(const std::vector<PointId>&)>& visit);

@@ -14,6 +14,7 @@
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
 #include "HeightMesh.h"
+#include "MeshErrors.h"
 #include "MeshImprover.h"
 #include "MeshRefiner.h"
 
@@ -52,19 +53,12 @@ public:
   {
     this->WritePoints();
     this->WriteTriangles();
-    this->AssignPoints(monitor.Step(0.0, 0.8));
+    this->Measure(monitor);
     this->CheckAllAssigned();
-    this->MeasureEdges(monitor.Step(0.8, 1.0));
     return std::move(this->Result);
   }
 
 private:
-  struct Sum
-  {
-    double Errors = 0.0; // of columns that the triangle owns
-    std::size_t OnLoops = 0; // dropped points
-  };
-
   void WritePoints()
   {
     Reduction& points = this->Result.Points;
@@ -92,72 +86,17 @@ private:
     }
   }
 
-  void AssignPoints(const Monitor& monitor)
+  void Measure(const Monitor& monitor)
   {
-    this->Result.Errors.assign(std::size_t(this->Mesh.Size()), 0.0);
-    std::vector<Sum> sums(this->Result.Errors.size());
-    this->Surface.ForEachTriangle(monitor,
-      [&](TriangleId triangle)
-      {
-        this->AssignPointsOf(triangle, sums[triangle]);
-        this->AddDroppedOf(triangle, sums[triangle]);
-      });
-    Sum all;
-    for (const Sum& one : sums)
-    {
-      all.Errors += one.Errors;
-      all.OnLoops += one.OnLoops;
-    }
+    MeshErrors errors(this->Mesh, this->Surface.RaisedVertices());
+    errors.Measure(
+      0, this->Mesh.Size(), [this](TriangleId triangle) -> const HeightRaster& { return this->Surface.RasterOf(triangle); },
+      [this](PointId point, VertexId vertex) { this->Result.Points.Target[point] = vertex; }, monitor);
     for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {
-      all.Errors += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
+      errors.Sum += std::abs(this->Surface.Height(vertex) - this->Surface.ColumnHeight(vertex));
     }
-    const std::size_t points = this->Surface.NumberOfPoints() + all.OnLoops;
-    this->Result.MeanError = points == 0 ? 0.0 : all.Errors / double(points);
-    const auto largest = std::max_element(this->Result.Errors.begin(), this->Result.Errors.end());
-    this->Result.LargestError = this->Result.Errors.empty() ? 0.0 : *largest;
-  }
-
-  void AssignPointsOf(TriangleId triangle, Sum& sum)
-  {
-    double& largest = this->Result.Errors[triangle];
-    this->Surface.RasterOf(triangle).ForEachColumn(this->Surface.RaisedCorners(triangle),
-      [&](PointId point, double error, const std::array<double, 3>& weights)
-      {
-        largest = std::max(largest, std::abs(error));
-        if (this->Surface.Owns(triangle, weights))
-        {
-          sum.Errors += std::abs(error);
-          const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-          this->Result.Points.Target[point] = this->Result.Triangles[3 * triangle + nearest];
-        }
-      });
-  }
-
-  /// Dropped points on edges of loops are covered, too.
-  void AddDroppedOf(TriangleId triangle, Sum& sum)
-  {
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      if (this->Mesh.Neighbour(triangle, edge) != NoTriangle)
-      {
-        continue;
-      }
-      const RaisedPoint& from = this->Surface.Raised(this->Mesh.Corner(triangle, edge));
-      const RaisedPoint& to = this->Surface.Raised(this->Mesh.Corner(triangle, NextCorner(edge)));
-      ForEachColumnBetween(from.Column, to.Column,
-        [&](const PlanePoint& column, double part)
-        {
-          const double own = this->Surface.RasterOf(triangle).DroppedHeight(column);
-          if (!std::isnan(own))
-          {
-            const double error = std::abs(from.Height + part * (to.Height - from.Height) - own);
-            this->Result.Errors[triangle] = std::max(this->Result.Errors[triangle], error);
-            sum.Errors += error;
-            ++sum.OnLoops;
-          }
-        });
-    }
+    WriteErrors(std::move(errors), std::size_t(this->Surface.EndOfVertices()), this->Result);
   }
 
   void CheckAllAssigned() const
@@ -175,29 +114,6 @@ private:
           }
         }
       });
-  }
-
-  void MeasureEdges(const Monitor& monitor)
-  {
-    std::vector<CrossingErrors> errors(std::size_t(this->Mesh.Size()));
-    this->Surface.ForEachTriangle(monitor,
-      [&](TriangleId triangle)
-      {
-        for (int edge = 0; edge < 3; ++edge)
-        {
-          const bool isOnLoop = this->Mesh.Neighbour(triangle, edge) == NoTriangle;
-          const CrossingErrors own = this->Surface.MeasureCrossings(triangle, edge);
-          CrossingErrors& all = errors[triangle];
-          all.Inside = isOnLoop ? all.Inside : std::max(all.Inside, own.Inside);
-          all.BesideLoops = std::max({ all.BesideLoops, own.BesideLoops, isOnLoop ? own.Inside : 0.0 });
-        }
-        this->Result.Errors[triangle] = std::max(this->Result.Errors[triangle], errors[triangle].BesideLoops);
-      });
-    for (const CrossingErrors& one : errors)
-    {
-      this->Result.LargestEdgeError = std::max(this->Result.LargestEdgeError, one.Inside);
-      this->Result.LargestLoopError = std::max(this->Result.LargestLoopError, one.BesideLoops);
-    }
   }
 
   const HeightMesh& Surface;
@@ -535,6 +451,17 @@ std::vector<double> FindErrors(BoundedHorizon horizon, std::size_t triangles, do
   std::sort(errors.begin(), errors.end(), std::greater<>());
   errors.erase(std::upper_bound(errors.begin(), errors.end(), last, std::greater<>()), errors.end());
   return errors;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteErrors(MeshErrors errors, std::size_t vertices, Decimation& result)
+{
+  const std::size_t points = errors.Columns + vertices;
+  result.Errors = std::move(errors.Errors);
+  result.LargestError = errors.Largest;
+  result.MeanError = points == 0 ? 0.0 : errors.Sum / double(points);
+  result.LargestEdgeError = errors.LargestOfEdges;
+  result.LargestLoopError = errors.LargestOfLoops;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

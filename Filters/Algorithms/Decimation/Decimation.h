@@ -171,6 +171,10 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options = D
 std::vector<double> FindErrors(
   BoundedHorizon horizon, std::size_t triangles, double leastError, const Monitor& monitor = Monitor());
 
+class MeshErrors;
+/// Sums must include the vertices.
+void WriteErrors(MeshErrors errors, std::size_t vertices, Decimation& result);
+
 InputError TooFewTriangles(std::size_t most, std::size_t least);
 }
 

@@ -95,13 +95,22 @@ void HeightMesh::Add(std::vector<HeightRaster> rasters, const double* heights)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+double HeightMesh::HeightOfVertex(const double* heights, PointId point) const
+{
+  const std::vector<LockedHeight>& locked = this->Horizon.Locked;
+  const auto found = std::lower_bound(
+    locked.begin(), locked.end(), point, [](const LockedHeight& one, PointId other) { return one.Point < other; });
+  return found != locked.end() && found->Point == point ? found->Height : heights[point];
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<RaisedPoint> HeightMesh::RaisedSources(const double* heights) const
 {
   std::vector<RaisedPoint> raised;
   raised.reserve(this->Sources.size());
   std::transform(this->Sources.begin(), this->Sources.end(), std::back_inserter(raised),
     [&](PointId source) {
-      return RaisedPoint{ this->Places[source], heights[source] };
+      return RaisedPoint{ this->Places[source], this->HeightOfVertex(heights, source) };
     });
   return raised;
 }
@@ -457,7 +466,7 @@ void HeightMesh::SetVertex(VertexId vertex, PointId point)
   this->Sources[vertex] = point;
   for (RaisedHorizon& raised : this->Horizons)
   {
-    raised.Vertices[vertex] = { this->Places[point], raised.Heights[point] };
+    raised.Vertices[vertex] = { this->Places[point], this->HeightOfVertex(raised.Heights, point) };
   }
 }
 
@@ -466,7 +475,7 @@ void HeightMesh::PutBack(VertexId vertex)
 {
   for (RaisedHorizon& raised : this->Horizons)
   {
-    raised.Vertices[vertex].Height = raised.Heights[this->Sources[vertex]];
+    raised.Vertices[vertex].Height = this->HeightOfVertex(raised.Heights, this->Sources[vertex]);
   }
 }
 
@@ -712,24 +721,5 @@ EdgeColumns HeightMesh::OwnedColumns(TriangleId triangle) const
     owned.Opposite[corner] = beyond == NoTriangle || beyond > triangle;
   }
   return owned;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// A zero weight means the opposite edge, two mean the third corner.
-bool HeightMesh::Owns(TriangleId triangle, const std::array<double, 3>& weights) const
-{
-  if (std::count(weights.begin(), weights.end(), 0.0) > 1)
-  {
-    return false;
-  }
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const TriangleId beyond = this->Mesh.Neighbour(triangle, NextCorner(corner));
-    if (weights[corner] == 0.0 && beyond != NoTriangle && beyond < triangle)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 }

@@ -105,7 +105,7 @@ public:
   PlaneMesh::Room AddRoom(std::size_t vertices);
   void CloseGaps(
     const PlaneMesh::Room& first, std::vector<TriangleId>& changed, const std::vector<unsigned char>& isChanged);
-  /// Resets a vertex to the height of its column.
+  /// Resets a vertex to the height of its column, or to its locked height.
   void PutBack(VertexId vertex);
   /// Gives vertices other points, NoPoint to remove them, other heights by horizon, and other triangles. Kept edges
   /// remain.
@@ -131,6 +131,7 @@ public:
     return this->Horizons[horizon].Vertices[vertex];
   }
   const RaisedPoint& Raised(VertexId vertex) const { return this->Raised(0, vertex); }
+  const std::vector<RaisedPoint>& RaisedVertices() const { return this->Horizons.front().Vertices; }
   RaisedTriangle RaisedCorners(std::size_t horizon, TriangleId triangle) const
   {
     return { this->Raised(horizon, this->Mesh.Corner(triangle, 0)),
@@ -148,12 +149,6 @@ public:
     return this->RasterAt(horizon, this->Mesh.Corner(triangle, 0));
   }
   const HeightRaster& RasterOf(TriangleId triangle) const { return this->RasterOf(0, triangle); }
-
-  CrossingErrors MeasureCrossings(TriangleId triangle, int edge) const
-  {
-    return this->RasterOf(triangle).MeasureCrossings(
-      this->Raised(this->Mesh.Corner(triangle, edge)), this->Raised(this->Mesh.Corner(triangle, NextCorner(edge))));
-  }
 
   /// Stores errors: only above the bound, unless squares are summed.
   void Measure(
@@ -175,8 +170,6 @@ public:
   void ForEachTriangle(const Monitor& monitor, Call&& call) const;
 
   EdgeColumns OwnedColumns(TriangleId triangle) const;
-  /// A column counts in sums for one triangle: on an edge for the lower number, at a vertex for none.
-  bool Owns(TriangleId triangle, const std::array<double, 3>& weights) const;
   /// Bounds the rounding of heights in a triangle.
   double Rounding() const { return this->RoundingError; }
   /// Returns 1 for a level horizon.
@@ -203,6 +196,7 @@ private:
   void AddVertices(std::size_t vertices);
   void SetVertex(VertexId vertex, PointId point);
   std::vector<TriangleId> FindBeside(const std::vector<PointId>& points) const;
+  double HeightOfVertex(const double* heights, PointId point) const;
   std::vector<RaisedPoint> RaisedSources(const double* heights) const;
   std::vector<HeightRaster> MakeRasters(const double* heights) const;
   std::vector<std::vector<PointId>> DroppedByPatch(std::size_t patches) const;

@@ -8,6 +8,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Horizon/BoundedHorizon.h"
+#include "Common/Horizon/EdgeLoops.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
 
@@ -108,32 +109,21 @@ private:
   std::vector<std::pair<std::int32_t, std::size_t>> Bands; // and numbers of lines
 };
 
-/// Joins sides to closed loops, at vertices with several in any order.
-Loops LoopsOf(Sides sides)
+/// Loops have the surface to their right, sides to their left.
+Loops LoopsOf(const Sides& sides)
 {
-  std::sort(sides.begin(), sides.end());
-  std::vector<unsigned char> isUsed(sides.size(), 0);
+  std::vector<Edge> edges;
+  std::transform(sides.begin(), sides.end(), std::back_inserter(edges),
+    [](const Side& side) {
+      return Edge{ side.first, side.second };
+    });
+  const Loops joined = JoinEdges(std::move(edges));
   Loops loops;
-  for (std::size_t start = 0; start < sides.size(); ++start)
+  for (std::size_t loop = 0; loop < joined.Size(); ++loop)
   {
-    std::vector<PointId> loop;
-    for (std::size_t next = start; next < sides.size() && isUsed[next] == 0;)
-    {
-      isUsed[next] = 1;
-      loop.push_back(sides[next].first);
-      const PointId to = sides[next].second;
-      next = std::size_t(std::lower_bound(sides.begin(), sides.end(), Side(to, 0)) - sides.begin());
-      while (next < sides.size() && sides[next].first == to && isUsed[next] != 0)
-      {
-        ++next;
-      }
-      next = next < sides.size() && sides[next].first == to ? next : sides.size();
-    }
-    std::for_each(loop.rbegin(), loop.rend(), [&loops](PointId point) { loops.Append(point); });
-    if (!loop.empty())
-    {
-      loops.Close();
-    }
+    std::for_each(std::make_reverse_iterator(joined.end(loop)), std::make_reverse_iterator(joined.begin(loop)),
+      [&loops](PointId point) { loops.Append(point); });
+    loops.Close();
   }
   return loops;
 }

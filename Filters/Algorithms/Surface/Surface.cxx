@@ -13,6 +13,7 @@
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
 #include "Filters/Algorithms/Decimation/EdgeSizes.h"
+#include "SurfaceParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -319,6 +320,17 @@ public:
     this->Result.Parameters.Radius = options.Radius ? *options.Radius : ChooseRadius(this->Points.Columns);
   }
 
+  SurfaceMaker(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part)
+    : SurfaceMaker(std::move(points), options)
+  {
+    this->Part = std::move(part);
+    this->Result.Boundary.Boundary = std::move(this->Part.Boundary);
+    this->Result.Boundary.Patch.assign(this->Points.Columns.size(), 0);
+    this->Result.Kept = KeptPoints::All(this->Points.Columns.size());
+    this->Result.Parameters.SmallestHoleSize = this->SmallestHoleFor(this->ToleranceFor(options.MaximumError));
+    this->HasBoundary = true;
+  }
+
   Surface Run(const Monitor& monitor)
   {
     const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
@@ -328,6 +340,23 @@ public:
     if (!this->Result.Kept.empty())
     {
       this->Decimate(monitor.Step(last + 0.3 * (1.0 - last), 1.0));
+    }
+    return std::move(this->Result);
+  }
+
+  int Radius() const { return this->Result.Parameters.Radius; }
+
+  /// Finds the boundary alone.
+  Surface RunInParts(std::int32_t rowsOfPart, const Monitor& monitor)
+  {
+    this->Result.Parameters.MaximumError = this->Options.MaximumError;
+    this->Result.Parameters.OutlineTolerance = this->ToleranceFor(this->Options.MaximumError);
+    this->Result.Parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(this->Options.MaximumError);
+    this->FindBoundary(monitor.Step(0.0, 0.1));
+    if (!this->Result.Kept.empty())
+    {
+      const RowsInMemory rows(this->Columns(), this->Height());
+      MakeInParts(rows, rowsOfPart, this->Options, this->Result, monitor.Step(0.1, 1.0));
     }
     return std::move(this->Result);
   }
@@ -541,7 +570,10 @@ private:
     this->Result.OutlineDeviation = simplified.OutlineDeviation;
     this->Result.OutlineHeightDeviation = simplified.HeightDeviation;
     this->Result.NumberOutside = simplified.NumberOutside;
-    this->Dropped = std::move(simplified.Dropped);
+    this->Dropped.clear();
+    std::merge(simplified.Dropped.begin(), simplified.Dropped.end(), this->Part.Dropped.begin(),
+      this->Part.Dropped.end(), std::back_inserter(this->Dropped),
+      [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
     this->Outlines = std::move(simplified.Boundary);
   }
 
@@ -584,6 +616,7 @@ private:
     }
     horizon.Dropped = this->Dropped;
     horizon.Boundary = this->Outlines;
+    horizon.Locked = this->Part.Locked;
     horizon.Cuts = this->FaultedLinks();
     return horizon;
   }
@@ -605,33 +638,13 @@ private:
     options.OutlineTolerance = parameters.OutlineTolerance;
     options.DistanceThreshold = parameters.DistanceThreshold;
     options.LongestEdge = LongestAtLoops(this->Options);
-    const auto simplify = [&](const Loops& loops)
-    { return SimplifyBoundary(SpacePoints(this->Columns(), this->HeightNow(), 1), loops, options, monitor); };
     options.Fixed = this->Result.Boundary.OpenCracks.PointsOfOpenEnds();
+    options.Fixed.insert(options.Fixed.end(), this->Part.Fixed.begin(), this->Part.Fixed.end());
     options.Fixed.insert(options.Fixed.end(), this->Result.AddedToOutlines.begin(), this->Result.AddedToOutlines.end());
     options.Index = this->Result.Kept.AreAll() && this->Index ? &*this->Index : nullptr;
     options.Known = &this->KnownChains;
-    if (!HasSeams(this->Options.Seams))
-    {
-      return simplify(this->Result.Boundary.Boundary);
-    }
-    if (!this->Seams) // pins change heights, so this runs once
-    {
-      this->Seams = SimplifySeams(this->Columns(), this->Height(), this->Result.Boundary.Boundary,
-        this->BoundaryParameters, parameters.DistanceThreshold);
-      for (const SeamPin& pin : this->Seams->Pins)
-      {
-        this->Height()[pin.Point] = pin.Height;
-      }
-    }
-    const SeamChains& seams = *this->Seams;
-    options.Fixed.insert(options.Fixed.end(), seams.Kept.begin(), seams.Kept.end());
-    BoundarySimplification simplified = simplify(seams.Boundary);
-    simplified.Dropped.insert(simplified.Dropped.end(), seams.Dropped.begin(), seams.Dropped.end());
-    std::sort(simplified.Dropped.begin(), simplified.Dropped.end(),
-      [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
-    simplified.Deviation = std::max(simplified.Deviation, seams.Deviation);
-    return simplified;
+    return SimplifyBoundary(
+      SpacePoints(this->Columns(), this->HeightNow(), 1), this->Result.Boundary.Boundary, options, monitor);
   }
 
   void FindBoundary(const Monitor& monitor)
@@ -649,9 +662,6 @@ private:
     }
     parameters.SmallestHoleSize = options.SmallestHoleSize;
     options.Cuts = this->Options.Cuts;
-    options.Seams = this->Options.Seams;
-    options.Seams.LongestEdge = ChooseLongestSeamEdge(options.SmallestHoleSize);
-    this->BoundaryParameters = options;
     if (!this->Index)
     {
       this->Index.emplace(IndexForBoundary(this->Points.Columns, options));
@@ -676,34 +686,26 @@ private:
     this->Result.Mesh = SeismicHorizons::Decimate(
       this->MoveHorizon(), options, monitor, [this](const LoopTriangles& seen) { return this->Review(seen); });
     parameters.MaximumNumberOfPoints = this->Result.Mesh.MaximumNumberOfPoints;
-    // Points on seams are inside the whole horizon.
-    double& largest = this->Result.Mesh.LargestError;
-    if (this->Seams)
-    {
-      largest = std::max(largest, this->Seams->HeightDeviation);
-      this->Result.Pins = std::move(this->Seams->Pins);
-      this->Result.OpenGaps = std::move(this->Seams->OpenGaps);
-    }
     RawVector<PointId>& target = this->Result.Mesh.Points.Target;
     for (const DroppedPoint& dropped : this->Dropped)
     {
       target[dropped.Point] = target[dropped.Target];
     }
+    this->Result.Dropped = std::move(this->Dropped);
   }
 
   SurfacePoints Points; // moved away by the last run
   const SurfaceOptions& Options;
   Surface Result;
+  PartOfSurface Part;
   std::optional<ColumnIndex> Index;
   bool HasBoundary = false;
-  BoundaryOptions BoundaryParameters;
   std::vector<PlanePoint> KeptColumns; // empty if all points have a patch
   std::vector<double> KeptHeight;
   DroppedPoints Dropped;
   Loops Outlines;
   KeptOfChains KnownChains; // within this error
   const std::vector<double>* Heights = nullptr;
-  std::optional<SeamChains> Seams;
 };
 }
 
@@ -718,13 +720,6 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-int ChooseLongestSeamEdge(std::int64_t smallestHoleSize)
-{
-  constexpr double Longest = 64.0;
-  return int(std::min(std::ceil(std::sqrt(double(std::max<std::int64_t>(smallestHoleSize, 1)))), Longest));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const Monitor& monitor)
 {
   CheckQuality(options, options.MaximumNumberOfTriangles > 0);
@@ -732,12 +727,17 @@ Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const M
   {
     CheckAtLeast("maximum error", options.MaximumError, 0.0, " lattice units");
   }
-  else if (HasSeams(options.Seams))
-  {
-    throw InputError("a seam and a number of triangles, expected an error as the target of a part of a horizon");
-  }
   CheckAtLeast("outline tolerance", options.OutlineTolerance.value_or(0.0), 0.0, " columns");
   CheckAtLeast("distance threshold", options.DistanceThreshold.value_or(0.0), 0.0, " lattice units");
-  return SurfaceMaker(std::move(points), options).Run(monitor);
+  const ColumnRows rows = ColumnRows::Of(points.Columns);
+  SurfaceMaker maker(std::move(points), options);
+  const std::int32_t rowsOfPart = rows.AreAscending ? RowsOfPart(rows.Box, options, maker.Radius()) : 0;
+  return rowsOfPart > 0 ? maker.RunInParts(rowsOfPart, monitor) : maker.Run(monitor);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+Surface MakePart(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part, const Monitor& monitor)
+{
+  return SurfaceMaker(std::move(points), options, std::move(part)).Run(monitor);
 }
 }

@@ -20,7 +20,6 @@
 #include "Common/Horizon/Types.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
-#include "SurfaceJoin.h"
 
 #include <algorithm>
 #include <array>
@@ -46,10 +45,10 @@ struct SurfaceOptions : DecimationQuality
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
-  /// A part to be joined (SurfaceJoin.h) must have an error as the target; the longest edge is chosen.
-  SeamRows Seams;
   /// Cracks along cut links stay open, whatever their size. Null means no faults.
   const LinkCuts* Cuts = nullptr;
+  /// Large horizons are meshed in parts (SurfaceParts.h) of so many rows; chosen if 0.
+  std::int32_t RowsOfPart = 0;
 };
 
 struct SurfaceParameters
@@ -90,11 +89,10 @@ struct Surface
   std::int64_t NumberOutside = 0;
   /// Outlines kept these points beside slivers, and on links that edges would cross farther away than the error.
   std::vector<PointId> AddedToOutlines;
+  /// From outlines; in the numbers of kept points, like the boundary.
+  DroppedPoints Dropped;
   /// The mesh is empty if no point has a patch.
   Decimation Mesh;
-  /// Pinned points moved onto lines of seams; open gaps lie right of their points (SurfaceJoin.h).
-  std::vector<SeamPin> Pins;
-  std::vector<PointId> OpenGaps;
 };
 
 /// Equals the three methods in sequence only if SmallestAngle is 0 and crossings have no bound; otherwise outlines keep
@@ -103,9 +101,17 @@ struct Surface
 Surface MakeSurface(
   SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
 
-/// A seam should close its cut through holes below the smallest size, so an edge spans the side of a square of this
-/// size, at most 64 columns.
-int ChooseLongestSeamEdge(std::int64_t smallestHoleSize);
+/// Part of a horizon with a boundary that is known, and is simplified between points that stay.
+struct PartOfSurface
+{
+  Loops Boundary;
+  std::vector<PointId> Fixed;
+  std::vector<LockedHeight> Locked; // of fixed points, ascending
+  DroppedPoints Dropped; // beside edges between fixed points
+};
+
+/// Options must have a radius, and an error as the target.
+Surface MakePart(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part, const Monitor& monitor);
 
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);
 

@@ -1,0 +1,886 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// In this order: cuts between bands; meshes of parts; strips; the whole.
+
+#include "SurfaceParts.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/CoveredColumns.h"
+#include "Common/Horizon/EdgeLoops.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
+#include "Filters/Algorithms/Decimation/HeightRaster.h"
+#include "Filters/Algorithms/Decimation/MeshErrors.h"
+#include "Filters/Algorithms/Decimation/PlaneMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+// A band has about so many columns: much fewer take more time at cuts, more take memory.
+constexpr std::int64_t ColumnsOfBand = std::int64_t(1) << 21;
+constexpr std::int64_t LeastRows = 64;
+constexpr std::int64_t LeastBands = 4;
+// Triangles whose centre is so near to a cut, in rows, are made anew, but at most this fraction of a band.
+constexpr std::int32_t RowsBesideCut = 48;
+constexpr std::int32_t PartBesideCut = 4;
+
+using Corners = std::array<PointId, 3>;
+
+std::uint64_t KeyOf(PointId from, PointId to)
+{
+  return std::uint64_t(std::uint32_t(from)) << 32U | std::uint32_t(to);
+}
+
+// ---- Cuts ----------------------------------------------------------------------------------------------------------
+struct Range
+{
+  std::int32_t First;
+  std::int32_t Last;
+};
+
+/// A row between two bands.
+struct Cut
+{
+  std::int32_t Row = 0;
+  std::vector<std::array<std::int32_t, 2>> Above; // edges of loops that start here: columns in this row and the next
+  std::vector<std::array<std::int32_t, 2>> Below; // that end here
+  std::vector<Range> Open; // columns with surface on both sides, ascending
+  std::vector<Edge> Edges; // between points of the row, to the right
+
+  bool IsOpen(const PlanePoint& a, const PlanePoint& b) const
+  {
+    const auto [least, greatest] = std::minmax(a.X, b.X);
+    const auto after = std::upper_bound(this->Open.begin(), this->Open.end(), least,
+      [](std::int32_t x, const Range& range) { return x < range.First; });
+    return a.Y == this->Row && b.Y == this->Row && after != this->Open.begin() && greatest <= after[-1].Last;
+  }
+};
+
+/// The surface is between each odd edge and the next one.
+std::vector<Range> RangesBetween(std::vector<std::array<std::int32_t, 2>> edges)
+{
+  std::sort(edges.begin(), edges.end());
+  std::vector<Range> ranges;
+  for (std::size_t n = 0; n + 1 < edges.size(); n += 2)
+  {
+    if (edges[n][0] < edges[n + 1][0])
+    {
+      ranges.push_back({ edges[n][0], edges[n + 1][0] });
+    }
+  }
+  return ranges;
+}
+
+std::vector<Range> Intersect(const std::vector<Range>& some, const std::vector<Range>& others)
+{
+  std::vector<Range> both;
+  for (std::size_t a = 0, b = 0; a < some.size() && b < others.size();)
+  {
+    const Range range{ std::max(some[a].First, others[b].First), std::min(some[a].Last, others[b].Last) };
+    if (range.First < range.Last)
+    {
+      both.push_back(range);
+    }
+    some[a].Last < others[b].Last ? ++a : ++b;
+  }
+  return both;
+}
+
+// ---- Parts ---------------------------------------------------------------------------------------------------------
+/// The mesh of a part in points of the horizon.
+struct PartMesh
+{
+  std::vector<Corners> Triangles;
+  std::unordered_map<PointId, double> Heights; // of vertices
+  std::unordered_map<std::uint64_t, std::vector<PointId>> Chains; // the boundary between the ends of edges of outlines
+  std::unordered_set<PointId> Dropped;
+  std::vector<PointId> AddedToOutlines;
+};
+
+struct PartInput
+{
+  Loops Boundary;
+  std::set<PointId> Fixed;
+  std::map<PointId, double> Locked;
+  std::map<PointId, PointId> Dropped; // points beside edges that stay, and their targets
+};
+
+class PartedSurface
+{
+public:
+  PartedSurface(const PointRows& rows, std::int32_t rowsOfPart, const SurfaceOptions& options, Surface& result)
+    : Rows(rows)
+    , Options(options)
+    , Result(result)
+    , Exact(result.Boundary.Boundary)
+    , Box(rows.Box())
+  {
+    this->Options.Radius = result.Parameters.Radius;
+    const std::int64_t height = std::int64_t(this->Box.Greatest.Y) - this->Box.Least.Y + 1;
+    const std::int64_t bands = std::max<std::int64_t>(1, (height + rowsOfPart / 2) / rowsOfPart);
+    for (std::int64_t band = 1; band < bands; ++band)
+    {
+      this->Cuts.push_back({ std::int32_t(this->Box.Least.Y + band * height / bands) });
+    }
+    this->RowsBeside = std::min(RowsBesideCut, rowsOfPart / PartBesideCut);
+    this->Edges.resize(this->Cuts.size() + 1);
+    this->Alone.resize(this->Cuts.size() + 1);
+  }
+
+  void Run(const TakeTargets& take, const Monitor& monitor)
+  {
+    this->ShareEdges();
+    PartMesh before;
+    for (std::size_t band = 0; band <= this->Cuts.size(); ++band)
+    {
+      const auto progress = [&](double part) { return 0.9 * (double(band) + part) / double(this->Cuts.size() + 1); };
+      if (band < this->Cuts.size())
+      {
+        this->OpenCut(this->Cuts[band]);
+      }
+      PartMesh now = this->MeshBand(band, monitor.Step(progress(0.0), progress(0.8)));
+      if (band > 0)
+      {
+        PartMesh strip = this->MeshStrip(this->Cuts[band - 1], before, now, monitor.Step(progress(0.8), progress(1.0)));
+        this->Finish(before);
+        this->Finish(strip);
+      }
+      before = std::move(now);
+    }
+    this->Finish(before);
+    this->Assemble(take, monitor.Step(0.9, 1.0));
+  }
+
+private:
+  PlanePoint At(PointId point) const { return this->Rows.ColumnOf(point); }
+
+  std::size_t BandOf(std::int32_t row) const
+  {
+    const auto after = std::upper_bound(
+      this->Cuts.begin(), this->Cuts.end(), row, [](std::int32_t own, const Cut& cut) { return own < cut.Row; });
+    return std::size_t(after - this->Cuts.begin());
+  }
+
+  Cut* FindCut(std::int32_t row)
+  {
+    const std::size_t band = this->BandOf(row);
+    return band > 0 && this->Cuts[band - 1].Row == row ? &this->Cuts[band - 1] : nullptr;
+  }
+
+  // ---- Bands -------------------------------------------------------------------------------------------------------
+  /// Edges along a cut belong to the side of their surface, those without surface to the band above.
+  void ShareEdges()
+  {
+    std::unordered_map<PointId, unsigned char> visits;
+    std::unordered_set<std::uint64_t> alongCuts;
+    this->Exact.ForEachPoint([&](PointId point) { ++visits[point]; });
+    this->Exact.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        if (this->At(from).Y == this->At(to).Y && this->FindCut(this->At(from).Y))
+        {
+          alongCuts.insert(KeyOf(from, to));
+        }
+      });
+    this->Exact.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        const PlanePoint a = this->At(from);
+        const PlanePoint b = this->At(to);
+        const PlanePoint& low = a.Y <= b.Y ? a : b;
+        const PlanePoint& high = a.Y <= b.Y ? b : a;
+        std::size_t band = this->BandOf(low.Y);
+        if (low.Y == high.Y)
+        {
+          const bool isBelow = b.X > a.X && this->FindCut(low.Y) && alongCuts.count(KeyOf(to, from)) == 0;
+          band -= isBelow ? 1 : 0;
+        }
+        else
+        {
+          if (Cut* const cut = this->FindCut(low.Y))
+          {
+            cut->Above.push_back({ low.X, high.X });
+          }
+          if (Cut* const cut = this->FindCut(high.Y))
+          {
+            cut->Below.push_back({ high.X, low.X });
+          }
+        }
+        this->Edges[band].push_back({ from, to });
+      });
+    for (std::size_t loop = 0; loop < this->Exact.Size(); ++loop)
+    {
+      if (this->Exact.Length(loop) == 1)
+      {
+        const PointId point = *this->Exact.begin(loop);
+        this->Alone[this->BandOf(this->At(point).Y)].push_back(point);
+      }
+    }
+    for (const auto& [point, number] : visits)
+    {
+      this->LoopPoints.push_back(point);
+      if (number > 1)
+      {
+        this->Shared.insert(point);
+      }
+    }
+    for (const PointId point : this->Result.Boundary.OpenCracks.PointsOfOpenEnds())
+    {
+      this->Shared.insert(point);
+    }
+    std::sort(this->LoopPoints.begin(), this->LoopPoints.end());
+    this->LoopHeights.assign(this->LoopPoints.size(), 0.0);
+  }
+
+  void OpenCut(Cut& cut) const
+  {
+    cut.Open = Intersect(RangesBetween(std::move(cut.Above)), RangesBetween(std::move(cut.Below)));
+    const PointWindow row = this->Rows.Read(cut.Row, cut.Row);
+    for (std::size_t n = 1; n < row.Columns.size(); ++n)
+    {
+      if (cut.IsOpen(row.Columns[n - 1], row.Columns[n]))
+      {
+        cut.Edges.push_back({ row.First + PointId(n - 1), row.First + PointId(n) });
+      }
+    }
+  }
+
+  PartMesh MeshBand(std::size_t band, const Monitor& monitor)
+  {
+    std::vector<Edge> edges = std::move(this->Edges[band]);
+    PartInput input;
+    const auto addCut = [&](const Cut& cut, bool isBelow)
+    {
+      std::unordered_set<std::int32_t> ends;
+      for (const Range& range : cut.Open)
+      {
+        ends.insert({ range.First, range.Last });
+      }
+      for (const Edge& edge : cut.Edges)
+      {
+        edges.push_back(isBelow ? Edge{ edge.To, edge.From } : edge);
+        for (const PointId end : { edge.From, edge.To })
+        {
+          if (ends.count(this->At(end).X) > 0)
+          {
+            input.Fixed.insert(end);
+          }
+        }
+      }
+    };
+    const std::int32_t first = band == 0 ? this->Box.Least.Y : this->Cuts[band - 1].Row;
+    const std::int32_t last = band == this->Cuts.size() ? this->Box.Greatest.Y : this->Cuts[band].Row;
+    if (band > 0)
+    {
+      addCut(this->Cuts[band - 1], true);
+    }
+    if (band < this->Cuts.size())
+    {
+      addCut(this->Cuts[band], false);
+    }
+    input.Boundary = JoinEdges(std::move(edges));
+    for (const PointId point : this->Alone[band])
+    {
+      input.Boundary.Append(point);
+      input.Boundary.Close();
+    }
+    const PointWindow window = this->Rows.Read(first, last);
+    this->TakeLoopHeights(window);
+    return this->MeshPart(window, std::move(input), monitor);
+  }
+
+  void TakeLoopHeights(const PointWindow& window)
+  {
+    const auto first = std::lower_bound(this->LoopPoints.begin(), this->LoopPoints.end(), window.First);
+    const auto last =
+      std::lower_bound(first, this->LoopPoints.end(), window.First + PointId(window.Columns.size()));
+    for (auto point = first; point != last; ++point)
+    {
+      this->LoopHeights[std::size_t(point - this->LoopPoints.begin())] = window.Height[std::size_t(*point - window.First)];
+    }
+  }
+
+  // ---- A part ------------------------------------------------------------------------------------------------------
+  PartMesh MeshPart(const PointWindow& window, PartInput input, const Monitor& monitor) const
+  {
+    PartMesh mesh;
+    if (input.Boundary.Size() == 0)
+    {
+      return mesh;
+    }
+    const auto inWindow = [&](PointId point) { return point - window.First; };
+    const Loops boundary = input.Boundary.RenumberedBy(inWindow);
+    std::vector<unsigned char> isIn = CoveredColumns(window.Columns, boundary, 1).Mark(window.Columns);
+    boundary.ForEachPoint([&](PointId point) { isIn[std::size_t(point)] = 1; });
+    for (const auto& [point, target] : input.Dropped)
+    {
+      isIn[std::size_t(inWindow(point))] = 1;
+    }
+    std::vector<PointId> own; // points of the horizon
+    std::vector<PointId> number(isIn.size(), NoPoint);
+    std::vector<PlanePoint> columns;
+    SurfacePoints points;
+    for (std::size_t n = 0; n < isIn.size(); ++n)
+    {
+      if (isIn[n] != 0)
+      {
+        number[n] = PointId(own.size());
+        own.push_back(window.First + PointId(n));
+        columns.push_back(window.Columns[n]);
+        points.Height.push_back(window.Height[n]);
+      }
+    }
+    points.Columns = columns;
+    const auto inPart = [&](PointId point) { return number[std::size_t(inWindow(point))]; };
+    PartOfSurface part;
+    part.Boundary = input.Boundary.RenumberedBy(inPart);
+    input.Boundary.ForEachPoint(
+      [&](PointId point)
+      {
+        if (this->Shared.count(point) != 0)
+        {
+          input.Fixed.insert(point);
+        }
+      });
+    std::transform(input.Fixed.begin(), input.Fixed.end(), std::back_inserter(part.Fixed), inPart);
+    for (const auto& [point, height] : input.Locked)
+    {
+      part.Locked.push_back({ inPart(point), height });
+    }
+    for (const auto& [point, target] : input.Dropped)
+    {
+      part.Dropped.push_back({ inPart(point), inPart(target) });
+    }
+    const Loops exact = part.Boundary;
+    const Surface made = MakePart(std::move(points), this->Options, std::move(part), monitor);
+    const std::vector<PointId>& sources = made.Mesh.Points.Source;
+    for (std::size_t corner = 0; corner < made.Mesh.Triangles.size(); corner += 3)
+    {
+      Corners corners;
+      std::transform(made.Mesh.Triangles.begin() + std::ptrdiff_t(corner),
+        made.Mesh.Triangles.begin() + std::ptrdiff_t(corner) + 3, corners.begin(),
+        [&](PointId vertex) { return own[std::size_t(sources[std::size_t(vertex)])]; });
+      mesh.Triangles.push_back(corners);
+    }
+    for (std::size_t vertex = 0; vertex < sources.size(); ++vertex)
+    {
+      mesh.Heights.emplace(own[std::size_t(sources[vertex])], made.Mesh.Points.Height[vertex]);
+    }
+    const Loops simplified =
+      made.Mesh.Points.Boundary.RenumberedBy([&](PointId vertex) { return sources[std::size_t(vertex)]; });
+    ForEachChain(exact, simplified, own.size(),
+      [&](std::vector<PointId> chain)
+      {
+        std::transform(
+          chain.begin(), chain.end(), chain.begin(), [&](PointId point) { return own[std::size_t(point)]; });
+        const std::uint64_t key = KeyOf(chain.front(), chain.back());
+        mesh.Chains.emplace(key, std::move(chain));
+      });
+    for (const DroppedPoint& dropped : made.Dropped)
+    {
+      mesh.Dropped.insert(own[std::size_t(dropped.Point)]);
+    }
+    std::transform(made.AddedToOutlines.begin(), made.AddedToOutlines.end(), std::back_inserter(mesh.AddedToOutlines),
+      [&](PointId point) { return own[std::size_t(point)]; });
+    return mesh;
+  }
+
+  // ---- Strips ------------------------------------------------------------------------------------------------------
+  bool IsBeside(const Cut& cut, const Corners& corners) const
+  {
+    const std::array<PlanePoint, 3> places = { this->At(corners[0]), this->At(corners[1]), this->At(corners[2]) };
+    const std::int64_t sum = std::int64_t(places[0].Y) + places[1].Y + places[2].Y;
+    return std::abs(sum - 3 * std::int64_t(cut.Row)) <= 3 * std::int64_t(this->RowsBeside) ||
+      cut.IsOpen(places[0], places[1]) || cut.IsOpen(places[1], places[2]) || cut.IsOpen(places[2], places[0]);
+  }
+
+  /// Takes triangles from both bands.
+  PartMesh MeshStrip(const Cut& cut, PartMesh& below, PartMesh& above, const Monitor& monitor) const
+  {
+    std::vector<Corners> taken;
+    for (PartMesh* const band : { &below, &above })
+    {
+      const auto first = std::stable_partition(band->Triangles.begin(), band->Triangles.end(),
+        [&](const Corners& corners) { return !this->IsBeside(cut, corners); });
+      taken.insert(taken.end(), first, band->Triangles.end());
+      band->Triangles.erase(first, band->Triangles.end());
+    }
+    const StripSides sides = this->FindSides(cut, taken, below, above);
+    PartInput input = this->MakeStrip(sides, below, above);
+    std::int32_t first = std::numeric_limits<std::int32_t>::max();
+    std::int32_t last = std::numeric_limits<std::int32_t>::min();
+    const auto addRow = [&](PointId point)
+    {
+      first = std::min(first, this->At(point).Y);
+      last = std::max(last, this->At(point).Y);
+    };
+    input.Boundary.ForEachPoint(addRow);
+    for (const auto& [point, target] : input.Dropped)
+    {
+      addRow(point);
+    }
+    for (PartMesh* const band : { &below, &above })
+    {
+      for (auto chain = band->Chains.begin(); chain != band->Chains.end();)
+      {
+        const bool isGone = cut.IsOpen(this->At(chain->second.front()), this->At(chain->second.back())) ||
+          std::binary_search(sides.Outer.begin(), sides.Outer.end(), chain->first);
+        chain = isGone ? band->Chains.erase(chain) : std::next(chain);
+      }
+    }
+    if (taken.empty())
+    {
+      return {};
+    }
+    PartMesh strip = this->MeshPart(this->Rows.Read(first, last), std::move(input), monitor);
+    for (const std::uint64_t key : sides.Inner)
+    {
+      strip.Chains.erase(key);
+    }
+    return strip;
+  }
+
+  /// Keys of edges of the loops around a strip, ascending.
+  struct StripSides
+  {
+    std::vector<std::uint64_t> Inner;
+    std::vector<std::uint64_t> Outer; // of outlines
+  };
+
+  StripSides FindSides(
+    const Cut& cut, const std::vector<Corners>& triangles, const PartMesh& below, const PartMesh& above) const
+  {
+    std::vector<std::uint64_t> edges;
+    for (const Corners& corners : triangles)
+    {
+      for (std::size_t n = 0; n < 3; ++n)
+      {
+        edges.push_back(KeyOf(corners[(n + 1) % 3], corners[n])); // loops have the surface to their right
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    StripSides sides;
+    for (const std::uint64_t key : edges)
+    {
+      const PointId from = FromOf(key);
+      const PointId to = ToOf(key);
+      if (std::binary_search(edges.begin(), edges.end(), KeyOf(to, from)) || cut.IsOpen(this->At(from), this->At(to)))
+      {
+        continue;
+      }
+      const bool isOuter = below.Chains.count(key) + above.Chains.count(key) > 0;
+      (isOuter ? sides.Outer : sides.Inner).push_back(key);
+    }
+    return sides;
+  }
+
+  /// Outlines are simplified anew, unless the boundary there crosses edges that stay.
+  PartInput MakeStrip(const StripSides& sides, const PartMesh& below, const PartMesh& above) const
+  {
+    PartInput input;
+    std::vector<Edge> edges;
+    std::map<std::int32_t, std::vector<std::uint64_t>> byRow;
+    const auto lock = [&](std::uint64_t key)
+    {
+      for (const PointId end : { FromOf(key), ToOf(key) })
+      {
+        const auto found = below.Heights.find(end);
+        input.Fixed.insert(end);
+        input.Locked.emplace(end, found != below.Heights.end() ? found->second : above.Heights.at(end));
+      }
+      edges.push_back({ FromOf(key), ToOf(key) });
+    };
+    for (const std::uint64_t key : sides.Inner)
+    {
+      lock(key);
+      const auto [low, high] = std::minmax(this->At(FromOf(key)).Y, this->At(ToOf(key)).Y);
+      for (std::int32_t row = low; row <= high; ++row)
+      {
+        byRow[row].push_back(key);
+      }
+    }
+    for (const std::uint64_t key : sides.Outer)
+    {
+      const PartMesh& band = below.Chains.count(key) > 0 ? below : above;
+      const std::vector<PointId>& chain = band.Chains.at(key);
+      if (this->Crosses(chain, byRow))
+      {
+        lock(key);
+        for (std::size_t n = 1; n + 1 < chain.size(); ++n)
+        {
+          if (band.Dropped.count(chain[n]) > 0)
+          {
+            input.Dropped.emplace(chain[n], chain.front());
+          }
+        }
+        continue;
+      }
+      for (std::size_t n = 1; n < chain.size(); ++n)
+      {
+        edges.push_back({ chain[n - 1], chain[n] });
+      }
+    }
+    input.Boundary = JoinEdges(std::move(edges));
+    return input;
+  }
+
+  bool Crosses(const std::vector<PointId>& chain, const std::map<std::int32_t, std::vector<std::uint64_t>>& byRow) const
+  {
+    for (std::size_t n = 1; n < chain.size(); ++n)
+    {
+      const PlanePoint a = this->At(chain[n - 1]);
+      const PlanePoint b = this->At(chain[n]);
+      for (std::int32_t row = std::min(a.Y, b.Y); row <= std::max(a.Y, b.Y); ++row)
+      {
+        const auto edges = byRow.find(row);
+        if (edges == byRow.end())
+        {
+          continue;
+        }
+        for (const std::uint64_t key : edges->second)
+        {
+          const PlanePoint c = this->At(FromOf(key));
+          const PlanePoint d = this->At(ToOf(key));
+          if (ProperlyCross(a, b, c, d) || OnOpenSegment(c, d, a) || OnOpenSegment(c, d, b) || OnOpenSegment(a, b, c) ||
+            OnOpenSegment(a, b, d))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  // ---- The whole ---------------------------------------------------------------------------------------------------
+  struct Piece
+  {
+    std::int32_t FirstRow = std::numeric_limits<std::int32_t>::max();
+    std::int32_t LastRow = std::numeric_limits<std::int32_t>::min();
+    std::size_t End = 0; // of its triangles
+  };
+
+  void Finish(const PartMesh& mesh)
+  {
+    Piece piece;
+    for (const Corners& corners : mesh.Triangles)
+    {
+      for (const PointId point : corners)
+      {
+        const std::int32_t row = this->At(point).Y;
+        piece.FirstRow = std::min(piece.FirstRow, row);
+        piece.LastRow = std::max(piece.LastRow, row);
+        this->Vertices.emplace_back(point, mesh.Heights.at(point));
+      }
+      this->Triangles.push_back(corners);
+    }
+    for (const auto& [key, chain] : mesh.Chains)
+    {
+      this->OnOutlines.push_back(chain.front());
+      this->OnOutlines.push_back(chain.back());
+    }
+    piece.End = this->Triangles.size();
+    if (!mesh.Triangles.empty())
+    {
+      this->Pieces.push_back(piece);
+    }
+    std::vector<PointId>& added = this->Result.AddedToOutlines;
+    added.insert(added.end(), mesh.AddedToOutlines.begin(), mesh.AddedToOutlines.end());
+  }
+
+  void Assemble(const TakeTargets& take, const Monitor& monitor)
+  {
+    std::sort(this->Vertices.begin(), this->Vertices.end());
+    this->Vertices.erase(std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
+    this->SimplifyLoops();
+    Decimation& mesh = this->Result.Mesh;
+    std::vector<RaisedPoint> raised;
+    for (const auto& [point, height] : this->Vertices)
+    {
+      mesh.Points.Source.push_back(point);
+      mesh.Points.Plane.push_back(this->At(point));
+      mesh.Points.Height.push_back(height);
+      raised.push_back({ mesh.Points.Plane.back(), height });
+    }
+    mesh.Points.Averaged.assign(this->Vertices.size(), 0);
+    mesh.Points.Boundary = this->Outlines.RenumberedBy([this](PointId point) { return this->VertexOf(point); });
+    for (const Corners& corners : this->Triangles)
+    {
+      for (const PointId point : corners)
+      {
+        mesh.Triangles.push_back(this->VertexOf(point));
+      }
+    }
+    const PlaneMesh plane(mesh.Points.Plane, mesh.Triangles);
+    const double sine = SineOfDegrees(this->Options.SmallestAngle);
+    for (TriangleId triangle = 0; triangle < plane.Size(); ++triangle)
+    {
+      mesh.NumberOfSlivers += plane.SineOf(triangle) < sine ? 1 : 0;
+    }
+    this->Measure(plane, raised, take, monitor);
+    if (MeshChecker::IsOn)
+    {
+      MeshChecker::Require(
+        "MakeInParts", mesh.Points.Plane, mesh.Points.Boundary, mesh.Triangles, MeshChecker::Kind::Any);
+    }
+  }
+
+  void SimplifyLoops()
+  {
+    const auto numberOf = [this](PointId point)
+    {
+      return PointId(
+        std::lower_bound(this->LoopPoints.begin(), this->LoopPoints.end(), point) - this->LoopPoints.begin());
+    };
+    const auto pointOf = [this](PointId number) { return this->LoopPoints[std::size_t(number)]; };
+    std::vector<PlanePoint> columns;
+    std::transform(this->LoopPoints.begin(), this->LoopPoints.end(), std::back_inserter(columns),
+      [this](PointId point) { return this->At(point); });
+    std::vector<unsigned char> isKept(columns.size(), 0);
+    for (const PointId point : this->OnOutlines)
+    {
+      isKept[std::size_t(numberOf(point))] = 1;
+    }
+    for (const std::vector<PointId>& alone : this->Alone)
+    {
+      std::for_each(alone.begin(), alone.end(), [&](PointId point) { isKept[std::size_t(numberOf(point))] = 1; });
+    }
+    const BoundarySimplification simplified =
+      KeepOnly(SpacePoints(columns, this->LoopHeights, 1), this->Exact.RenumberedBy(numberOf), isKept);
+    this->Outlines = simplified.Boundary.RenumberedBy(pointOf);
+    for (const DroppedPoint& dropped : simplified.Dropped)
+    {
+      this->Dropped.push_back({ pointOf(dropped.Point), pointOf(dropped.Target) });
+    }
+    this->Result.BoundaryDeviation = simplified.Deviation;
+    this->Result.OutlineDeviation = simplified.OutlineDeviation;
+    this->Result.OutlineHeightDeviation = simplified.HeightDeviation;
+    this->Result.NumberOutside = simplified.NumberOutside;
+    for (std::size_t n = 0; n < isKept.size(); ++n) // those without a triangle
+    {
+      if (isKept[n] != 0)
+      {
+        const PointId point = pointOf(PointId(n));
+        const auto place = std::lower_bound(this->Vertices.begin(), this->Vertices.end(), point, PrecedesPoint);
+        if (place == this->Vertices.end() || place->first != point)
+        {
+          this->Single.emplace_back(point, this->LoopHeights[n]);
+        }
+      }
+    }
+    const auto middle = std::ptrdiff_t(this->Vertices.size());
+    this->Vertices.insert(this->Vertices.end(), this->Single.begin(), this->Single.end());
+    std::inplace_merge(this->Vertices.begin(), this->Vertices.begin() + middle, this->Vertices.end());
+  }
+
+  static bool PrecedesPoint(const std::pair<PointId, double>& vertex, PointId point) { return vertex.first < point; }
+
+  PointId VertexOf(PointId point) const
+  {
+    return PointId(
+      std::lower_bound(this->Vertices.begin(), this->Vertices.end(), point, PrecedesPoint) - this->Vertices.begin());
+  }
+
+  /// Pieces follow each other, so that rows before the next ones are complete.
+  void Measure(
+    const PlaneMesh& plane, const std::vector<RaisedPoint>& raised, const TakeTargets& take, const Monitor& monitor)
+  {
+    MeshErrors errors(plane, raised);
+    TargetRows targets(*this, take);
+    std::vector<unsigned char>& averaged = this->Result.Mesh.Points.Averaged;
+    std::size_t first = 0;
+    for (std::size_t n = 0; n < this->Pieces.size(); ++n)
+    {
+      const Piece& piece = this->Pieces[n];
+      const PointWindow window = this->Rows.Read(piece.FirstRow, piece.LastRow);
+      targets.Add(window);
+      const auto size = PointId(window.Columns.size());
+      std::vector<PointId> dropped;
+      std::vector<unsigned char> isDropped(std::size_t(size), 0);
+      const auto begin = std::lower_bound(this->Dropped.begin(), this->Dropped.end(), window.First,
+        [](const DroppedPoint& one, PointId point) { return one.Point < point; });
+      for (auto one = begin; one != this->Dropped.end() && one->Point < window.First + size; ++one)
+      {
+        dropped.push_back(one->Point - window.First);
+        isDropped[std::size_t(dropped.back())] = 1;
+      }
+      const HeightRaster raster(
+        size, [&](std::int64_t point) { return isDropped[std::size_t(point)] != 0 ? NoPoint : PointId(point); },
+        window.Columns, window.Height.data(), this->Options.Cuts, dropped);
+      errors.Measure(
+        TriangleId(first), TriangleId(piece.End), [&](TriangleId) -> const HeightRaster& { return raster; },
+        [&](PointId point, VertexId vertex) { targets.Set(window.First + point, PointId(vertex)); },
+        monitor.Step(double(n) / double(this->Pieces.size()), double(n + 1) / double(this->Pieces.size())));
+      for (PointId vertex = this->FirstVertexFrom(window.First); vertex < this->FirstVertexFrom(window.First + size); ++vertex)
+      {
+        const auto& [point, height] = this->Vertices[std::size_t(vertex)];
+        const double own = window.Height[std::size_t(point - window.First)];
+        if (averaged[std::size_t(vertex)] == 0 && height != own)
+        {
+          averaged[std::size_t(vertex)] = 1;
+          errors.Sum += std::abs(height - own);
+        }
+      }
+      first = piece.End;
+      std::int32_t next = std::numeric_limits<std::int32_t>::max();
+      for (std::size_t later = n + 1; later < this->Pieces.size(); ++later)
+      {
+        next = std::min(next, this->Pieces[later].FirstRow);
+      }
+      targets.Complete(n + 1 < this->Pieces.size() ? this->Rows.FirstOf(next) : window.First + size);
+    }
+    targets.Complete(this->Rows.FirstOf(this->Box.Greatest.Y + 1));
+    WriteErrors(std::move(errors), this->Vertices.size(), this->Result.Mesh);
+  }
+
+  PointId FirstVertexFrom(PointId point) const { return this->VertexOf(point); }
+
+  /// Targets of points that are not complete yet.
+  class TargetRows
+  {
+  public:
+    TargetRows(const PartedSurface& surface, const TakeTargets& take)
+      : Whole(surface)
+      , Take(take)
+    {
+    }
+
+    void Add(const PointWindow& window)
+    {
+      const auto end = std::size_t(window.First - this->First) + window.Columns.size();
+      this->Targets.resize(std::max(this->Targets.size(), end), NoPoint);
+    }
+
+    void Set(PointId point, PointId vertex) { this->Targets[std::size_t(point - this->First)] = vertex; }
+
+    void Complete(PointId end)
+    {
+      if (end <= this->First)
+      {
+        return;
+      }
+      std::vector<PointId> whole(std::size_t(end - this->First), NoPoint);
+      std::copy_n(this->Targets.begin(), std::min(whole.size(), this->Targets.size()), whole.begin());
+      for (PointId vertex = this->Whole.VertexOf(this->First); vertex < this->Whole.VertexOf(end); ++vertex)
+      {
+        whole[std::size_t(this->Whole.Vertices[std::size_t(vertex)].first - this->First)] = vertex;
+      }
+      const auto begin = std::lower_bound(this->Whole.Dropped.begin(), this->Whole.Dropped.end(), this->First,
+        [](const DroppedPoint& one, PointId point) { return one.Point < point; });
+      for (auto one = begin; one != this->Whole.Dropped.end() && one->Point < end; ++one)
+      {
+        whole[std::size_t(one->Point - this->First)] = this->Whole.VertexOf(one->Target);
+      }
+      this->Take(this->First, whole);
+      this->Targets.erase(
+        this->Targets.begin(), this->Targets.begin() + std::ptrdiff_t(std::min(whole.size(), this->Targets.size())));
+      this->First = end;
+    }
+
+  private:
+    const PartedSurface& Whole;
+    const TakeTargets& Take;
+    PointId First = 0;
+    std::vector<PointId> Targets;
+  };
+
+  static PointId FromOf(std::uint64_t key) { return PointId(std::uint32_t(key >> 32U)); }
+  static PointId ToOf(std::uint64_t key) { return PointId(std::uint32_t(key)); }
+
+  const PointRows& Rows;
+  SurfaceOptions Options;
+  Surface& Result;
+  const Loops& Exact;
+  const PlaneBox Box;
+  std::vector<Cut> Cuts;
+  std::int32_t RowsBeside = 0;
+  std::vector<std::vector<Edge>> Edges; // of loops, by band
+  std::vector<std::vector<PointId>> Alone; // loops of one point, by band
+  std::unordered_set<PointId> Shared; // stay on outlines
+  std::vector<PointId> LoopPoints; // ascending
+  std::vector<double> LoopHeights;
+  std::vector<Piece> Pieces;
+  std::vector<Corners> Triangles;
+  std::vector<std::pair<PointId, double>> Vertices; // ascending, with heights
+  std::vector<std::pair<PointId, double>> Single;
+  std::vector<PointId> OnOutlines;
+  Loops Outlines;
+  DroppedPoints Dropped;
+};
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RowsInMemory::RowsInMemory(PlanePoints columns, const std::vector<double>& height)
+  : Columns(columns)
+  , Height(height)
+  , Area(columns)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointId RowsInMemory::FirstOf(std::int32_t row) const
+{
+  const auto first = std::partition_point(
+    this->Columns.begin(), this->Columns.end(), [row](const PlanePoint& column) { return column.Y < row; });
+  return PointId(first - this->Columns.begin());
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+PointWindow RowsInMemory::Read(std::int32_t firstRow, std::int32_t lastRow) const
+{
+  PointWindow window;
+  window.First = this->FirstOf(firstRow);
+  const PointId end = this->FirstOf(lastRow + 1);
+  window.Columns.assign(this->Columns.begin() + window.First, this->Columns.begin() + end);
+  window.Height.assign(this->Height.begin() + window.First, this->Height.begin() + end);
+  return window;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int32_t RowsOfPart(const PlaneBox& box, const SurfaceOptions& options, int radius)
+{
+  const bool isImproved = options.Effort == DecimationEffort::Best && options.EdgeLength == 0.0 &&
+    options.MaximumNumberOfTriangles == 0 && options.MaximumError > 0.0;
+  if (box.IsEmpty() || radius > 1 || !isImproved)
+  {
+    return 0;
+  }
+  if (options.RowsOfPart > 0)
+  {
+    return options.RowsOfPart;
+  }
+  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
+  const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
+  const std::int64_t rows = std::max(LeastRows, (ColumnsOfBand + width - 1) / width);
+  return height >= LeastBands * rows ? std::int32_t(rows) : 0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MakeInParts(const PointRows& rows, std::int32_t rowsOfPart, const SurfaceOptions& options, Surface& surface,
+  const Monitor& monitor, const TakeTargets& take)
+{
+  const TakeTargets fill = [&](PointId, const std::vector<PointId>& targets)
+  {
+    RawVector<PointId>& all = surface.Mesh.Points.Target;
+    all.insert(all.end(), targets.begin(), targets.end());
+  };
+  PartedSurface(rows, rowsOfPart, options, surface).Run(take ? take : fill, monitor);
+}
+}
