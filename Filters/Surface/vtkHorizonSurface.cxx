@@ -92,6 +92,5 @@ void vtkHorizonSurface::ProcessHorizon(const Horizon& horizon, Outputs& outputs,
   options.MinimumPatchSize = this->MinimumPatchSize;
   options.OutlineTolerance = UnlessAutomatic<double>(this->AutomaticOutlineTolerance, this->OutlineTolerance);
   options.DistanceThreshold = UnlessAutomatic<double>(this->AutomaticDistanceThreshold, this->DistanceThreshold);
-  options.SeamRows = { this->SeamRows[0], this->SeamRows[1] };
   this->Warn(RunSurface(horizon, options, outputs, monitor));
 }

@@ -134,18 +134,6 @@ public:
   vtkHorizonNumberMacro(DistanceThreshold, double);
 
   /**
-   * Lower and upper rows that this part shares with others, for vtkHorizonSurfaceJoin; -1: none. Unit: rows. Range: at
-   * least -1. Default: -1, -1.
-   *
-   * The parts on both sides have the points of such a row (j), and this part has none beyond it. Target must be
-   * LargestError, with a given MaximumError and not in the unit Diagonal, holes must be kept, MinimumPatchSize must be
-   * 1, and growth Clockwise unless the radius is 1. The mesh has two additional arrays: SeamRows (int, 2 components),
-   * these rows, as field data, and SeamGap (unsigned char) at points, 1 to the left of gaps along a seam that are not
-   * filled. PointCount leaves out the points of the row below.
-   */
-  vtkHorizonVectorMacro(SeamRows, int, 2);
-
-  /**
    * The radius that AutomaticRadius chooses for the points of a horizon, for use with all its parts; 0 if there are
    * none, and, after an error, if they are not on a lattice.
    */
@@ -180,7 +168,6 @@ private:
   double OutlineTolerance = 0.0;
   bool AutomaticDistanceThreshold = true;
   double DistanceThreshold = 0.4;
-  int SeamRows[2] = { -1, -1 };
 };
 
 #endif
