@@ -3,21 +3,11 @@
 
 #include "vtkHorizonSurface.h"
 
-#include "Common/Horizon/HeightNoise.h"
-#include "Common/VTK/HorizonConversion.h"
-#include "Common/VTK/HorizonTree.h"
-#include "Common/VTK/PipelineRequest.h"
-#include "Filters/Algorithms/Surface/Surface.h"
-#include "Filters/Common/HorizonPoints.h"
-#include "Filters/Common/LatticePoints.h"
 #include "SurfaceStage.h"
 
-#include "vtkFieldData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include <optional>
-#include <string>
 
 using namespace SeismicHorizons;
 
@@ -36,43 +26,6 @@ vtkStandardNewMacro(vtkHorizonSurface);
 vtkHorizonSurface::vtkHorizonSurface()
 {
   this->SetNumberOfOutputPorts(2);
-}
-
-//------------------------------------------------------------------------------
-void vtkHorizonSurface::Choose(vtkPolyData* horizon, const std::function<void(const LatticePoints&)>& choose)
-{
-  RunRequest(this, {}, NotEnoughMemory,
-    [&](std::string&, const Monitor&)
-    {
-      if (horizon && horizon->GetNumberOfPoints() > 0)
-      {
-        const Horizon points = FromVTK(horizon);
-        CheckArraySizes(points);
-        choose(ReadColumns(WithoutHiddenPoints(points)));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
-{
-  int radius = 0;
-  this->Choose(horizon, [&](const LatticePoints& points) { radius = SeismicHorizons::ChooseRadius(points.Column); });
-  return radius;
-}
-
-//------------------------------------------------------------------------------
-double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon, vtkFieldData* figures)
-{
-  HeightNoise noise;
-  this->Choose(horizon, [&](const LatticePoints& points) { noise = MeasureHeightNoise(points.Column, points.Height); });
-  if (figures)
-  {
-    ArrayTable measured;
-    WriteHeightNoise(noise, measured);
-    ToVTK(measured, figures);
-  }
-  return noise.MaximumError();
 }
 
 //------------------------------------------------------------------------------

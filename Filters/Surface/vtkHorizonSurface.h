@@ -39,13 +39,6 @@
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <functional> // for what is chosen
-
-namespace SeismicHorizons
-{
-struct LatticePoints;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonReducedMesh
 {
 public:
@@ -133,14 +126,6 @@ public:
    */
   vtkHorizonNumberMacro(DistanceThreshold, double);
 
-  /**
-   * The radius that AutomaticRadius chooses for the points of a horizon, for use with all its parts; 0 if there are
-   * none, and, after an error, if they are not on a lattice.
-   */
-  int ChooseRadius(vtkPolyData* horizon);
-  /// The same for an automatic MaximumError, in lattice units. Figures get HeightNoise or HeightRounding.
-  double ChooseMaximumError(vtkPolyData* horizon, vtkFieldData* figures = nullptr);
-
 protected:
   vtkHorizonSurface();
   ~vtkHorizonSurface() override = default;
@@ -151,8 +136,6 @@ protected:
 private:
   vtkHorizonSurface(const vtkHorizonSurface&) = delete;
   void operator=(const vtkHorizonSurface&) = delete;
-
-  void Choose(vtkPolyData* horizon, const std::function<void(const SeismicHorizons::LatticePoints&)>& choose);
 
   int Target = LargestError;
   int MaximumNumberOfTriangles = 20000;
