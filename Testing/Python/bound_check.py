@@ -192,8 +192,8 @@ def value(mesh, name):
 
 
 def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_stages=False):
-    """The faults of a mesh, as texts. Errors in lattice units, the tolerance in columns. Stages one by one do not know any
-    more what was dropped from outlines."""
+    """The faults of a mesh, as texts. Errors in lattice units, the tolerance in columns. Stages one by one do not know
+    any more what was dropped from outlines."""
     height_tolerance = error if height_tolerance is None else height_tolerance
     horizon = Heights(horizon_data)
     places = lattice_points(mesh)
