@@ -23,10 +23,10 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr std::array<const char*, 15> OwnArrays = { PointArray::SurfaceId, PointArray::Column, PointArray::Elevation,
+constexpr std::array<const char*, 14> OwnArrays = { PointArray::SurfaceId, PointArray::Column, PointArray::Elevation,
   PointArray::VerticalIndex, PointArray::RealZ, PointArray::PatchId, PointArray::Boundary, PointArray::PointCount,
-  PointArray::SeamGap, PointArray::CellOrigin, PointArray::Flatness, PointArray::Distance, PointArray::VerticalDistance,
-  PointArray::Filled, PointArray::Spike };
+  PointArray::CellOrigin, PointArray::Flatness, PointArray::Distance, PointArray::VerticalDistance, PointArray::Filled,
+  PointArray::Spike };
 
 void CheckLines(const LineNumbering& lines)
 {

@@ -53,25 +53,12 @@ std::vector<Edge> ListOneWayEdges(const Loops& boundary)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-CoveredColumns::CoveredColumns(
-  PlanePoints vertices, const Loops& boundary, std::int32_t subVoxelsPerColumn, const SharedRows& rows)
-  : Rows(rows)
+CoveredColumns::CoveredColumns(PlanePoints vertices, const Loops& boundary, std::int32_t subVoxelsPerColumn)
 {
   for (const Edge& edge : ListOneWayEdges(boundary))
   {
     this->AddEdge(vertices[edge.From], vertices[edge.To], subVoxelsPerColumn);
   }
-  boundary.ForEachEdge(
-    [&](PointId from, PointId to)
-    {
-      const std::int32_t row = vertices[from].Y;
-      if (rows.Kept && row == *rows.Kept && row == vertices[to].Y) // Parts are on whole columns.
-      {
-        const auto [least, greatest] = std::minmax(vertices[from].X, vertices[to].X);
-        this->Changes.push_back({ row, least, 1 });
-        this->Changes.push_back({ row, greatest + 1, -1 });
-      }
-    });
   this->MakeRuns();
 }
 
@@ -119,8 +106,6 @@ void CoveredColumns::MakeRuns()
       this->Runs.back().Last = column - 1;
     }
   }
-  const auto isLeft = [this](const Run& run) { return run.Row == this->Rows.Left; };
-  this->Runs.erase(std::remove_if(this->Runs.begin(), this->Runs.end(), isLeft), this->Runs.end());
   this->Changes = std::vector<Change>();
 }
 
@@ -175,8 +160,7 @@ Ledger CoveredColumns::Account(
       const Run* const run = this->FindRun(columns[point]);
       if (!run)
       {
-        const bool isLeftOut = entryOf(point) == LedgerEntry::Known && columns[point].Y != this->Rows.Left;
-        ledger[LedgerEntry::LeftOut] += isLeftOut ? 1 : 0;
+        ledger[LedgerEntry::LeftOut] += entryOf(point) == LedgerEntry::Known ? 1 : 0;
         ++point;
         continue;
       }

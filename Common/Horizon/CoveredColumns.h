@@ -11,34 +11,22 @@
 #include "Types.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Rows between parts of a surface are counted once (SurfaceJoin.h).
-struct SharedRows
-{
-  std::optional<std::int32_t> Left; // Another part counts this row.
-  std::optional<std::int32_t> Kept; // Counted here, even along edges without area.
-};
-
 /// Columns inside closed outlines and on them. Edges in both directions enclose nothing. Memory and time depend on the
 /// rows that edges cross, not on the area.
 class CoveredColumns
 {
 public:
   /// The surface is to the right of loops. Vertices are columns or sub-voxels.
-  CoveredColumns(PlanePoints vertices, const Loops& boundary, std::int32_t subVoxelsPerColumn,
-    const SharedRows& rows = SharedRows());
+  CoveredColumns(PlanePoints vertices, const Loops& boundary, std::int32_t subVoxelsPerColumn);
 
   std::int64_t Count() const;
 
   /// Marks columns that are covered with 1.
   std::vector<unsigned char> Mark(PlanePoints columns) const;
-
-  bool ArePart() const { return this->Rows.Left || this->Rows.Kept; }
-
   /// `filled` has the array Filled, or is empty. Points that are not kept are left out even in covered columns.
   Ledger Account(PlanePoints columns, const std::vector<unsigned char>& filled, const KeptPoints& kept) const;
 
@@ -66,7 +54,6 @@ private:
   void MakeRuns();
   const Run* FindRun(const PlanePoint& column) const;
 
-  SharedRows Rows;
   std::vector<Change> Changes; // empty once there are runs
   std::vector<Run> Runs; // sorted by rows and columns
 };

@@ -28,8 +28,7 @@ void WriteLedger(const LatticePoints& points, const KeptPoints& kept, const Cove
   std::optional<Ledger> ledger = ReadLedger(given);
   if (!points.AreMerged && !given.Has(FieldArray::BoundaryDeviation))
   {
-    // The ledger of a part may be of the whole horizon.
-    const std::int64_t before = covered.ArePart() ? 0 : CountLeftOut(ledger, CountPoints(points.Horizon));
+    const std::int64_t before = CountLeftOut(ledger, CountPoints(points.Horizon));
     ledger = covered.Account(points.Column, ReadFilled(points.Horizon), kept);
     (*ledger)[LedgerEntry::LeftOut] += before;
   }

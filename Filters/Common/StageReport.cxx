@@ -38,7 +38,7 @@ struct Figure
 };
 
 /// Those that a reader looks for, in the order of the stages.
-constexpr std::array<Figure, 47> Figures = { {
+constexpr std::array<Figure, 45> Figures = { {
   { FieldArray::FaultLine, "", "", false, "faults" },
   { FieldArray::NumberOfSpikes, "spikes", "", false, "spikes" },
   { FieldArray::SpikeThreshold, "threshold of spikes", LatticeHeights },
@@ -73,8 +73,6 @@ constexpr std::array<Figure, 47> Figures = { {
   { FieldArray::OutlineDeviation, "outlines moved on the map by up to", "columns" },
   { FieldArray::OutlineHeightDeviation, "outlines off in height by up to", LatticeHeights },
   { FieldArray::BoundaryDeviation, "outlines off in space by up to", "lattice units" },
-  { FieldArray::NumberOfParts, "parts" },
-  { FieldArray::SeamPoints, "vertices on seams" },
   { FieldArray::ChosenRadius, "chosen radius", "columns" },
   { FieldArray::ChosenSmallestHoleSize, "smallest open hole", "columns" },
   { FieldArray::ChosenOutlineTolerance, "outline tolerance", "columns" },

@@ -3,7 +3,6 @@
 
 #include "SurfaceStage.h"
 
-#include "Common/Base/Errors.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Algorithms/Surface/Surface.h"
@@ -13,10 +12,7 @@
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LedgerOutput.h"
-#include "SeamData.h"
 
-#include <algorithm>
-#include <sstream>
 #include <utility>
 
 namespace SeismicHorizons
@@ -31,26 +27,6 @@ bool HasErrorTarget(const SurfaceStageOptions& options)
   return !options.MaximumNumberOfTriangles;
 }
 
-std::optional<std::int32_t> ToSeam(int row)
-{
-  CheckAtLeast("seam row", row, -1, ", which stands for none");
-  return row < 0 ? std::optional<std::int32_t>() : std::optional<std::int32_t>(row);
-}
-
-/// Empty without a lower seam.
-std::vector<PointId> FindPointsOn(const std::optional<std::int32_t>& row, PlanePoints columns)
-{
-  std::vector<PointId> found;
-  for (std::size_t point = 0; row && point < columns.size(); ++point)
-  {
-    if (columns[point].Y == *row)
-    {
-      found.push_back(PointId(point));
-    }
-  }
-  return found;
-}
-
 void WriteChosen(const SurfaceParameters& chosen, ArrayTable& figures)
 {
   AddValue<int>(figures, FieldArray::ChosenRadius, chosen.Radius);
@@ -59,25 +35,6 @@ void WriteChosen(const SurfaceParameters& chosen, ArrayTable& figures)
   AddValue<double>(figures, FieldArray::ChosenDistanceThreshold, chosen.DistanceThreshold);
   AddValue<double>(figures, FieldArray::ChosenMaximumError, chosen.MaximumError);
   AddValue<std::int64_t>(figures, FieldArray::ChosenMaximumNumberOfPoints, std::int64_t(chosen.MaximumNumberOfPoints));
-}
-SeamRows MakeSeams(const SurfaceStageOptions& given)
-{
-  SeamRows seams;
-  seams.Lower = ToSeam(given.SeamRows[0]);
-  seams.Upper = ToSeam(given.SeamRows[1]);
-  if (HasSeams(seams) && HasErrorTarget(given) && !given.MaximumError)
-  {
-    throw InputError(
-      "a seam and an automatic maximum error, expected one that is given: the noise of a part is not that "
-      "of the horizon");
-  }
-  if (HasSeams(seams) && HasErrorTarget(given) && given.ErrorUnit == HeightUnit::Diagonal)
-  {
-    throw InputError(
-      "a seam and a maximum error of unit Diagonal, expected Lattice or World: the diagonal of a part is "
-      "not that of the horizon");
-  }
-  return seams;
 }
 
 SurfaceOptions MakeSurfaceOptions(const SurfaceStageOptions& given, const ErrorLimit& limit)
@@ -102,25 +59,6 @@ SurfaceOptions MakeSurfaceOptions(const SurfaceStageOptions& given, const ErrorL
   options.DistanceThreshold = given.DistanceThreshold;
   return options;
 }
-
-/// Parts must agree in parameters that affect seams.
-void RequireSame(const Horizon& first, const Horizon& other, const char* name)
-{
-  const DataArray* const expected = first.FieldData.Find(name);
-  const DataArray* const found = other.FieldData.Find(name);
-  const std::int64_t size = expected ? expected->Size() : 0;
-  for (std::int64_t n = 0; n < size; ++n)
-  {
-    if (!found || found->Size() != size || found->Value(n) != expected->Value(n))
-    {
-      std::ostringstream text;
-      text << "parts that differ in " << name << " (" << (found ? std::to_string(found->Value(n)) : "none") << " and "
-           << expected->Value(n) << "), expected parts of one horizon with the same parameters";
-      throw InputError(text.str());
-    }
-  }
-}
-
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -135,10 +73,8 @@ std::vector<std::string> RunSurface(
   const ErrorLimit limit =
     HasErrorTarget(given) ? FindMaximumError(given, points.Column, points.Height, points.Lattice) : ErrorLimit();
   SurfaceOptions options = MakeSurfaceOptions(given, limit);
-  options.Seams = MakeSeams(given);
   const std::optional<LinkCuts> cuts = given.TearAtFaults ? FindCuts(input, PlaneBox(points.Column)) : std::nullopt;
   options.Cuts = cuts ? &*cuts : nullptr;
-  const std::vector<PointId> onLowerSeam = FindPointsOn(options.Seams.Lower, points.Column);
   monitor.Progress(0.1);
   Surface surface = MakeSurface({ points.Column, std::move(points.Height) }, options, monitor.Step(0.1, 0.9));
   Horizon& outlines = outputs[OutlinePort];
@@ -166,17 +102,11 @@ std::vector<std::string> RunSurface(
     AddValue<double>(figures, FieldArray::OutlineHeightDeviation, surface.OutlineHeightDeviation);
     AddValue<std::int64_t>(figures, FieldArray::NumberOfOutsidePoints, std::int64_t(surface.NumberOutside));
     WriteMesh(outlines, points.Lattice, surface.Mesh, mesh);
-    const SharedRows rows{ options.Seams.Lower, options.Seams.Upper };
-    WriteLedger(
-      points, surface.Kept, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1, rows), mesh);
+    WriteLedger(points, surface.Kept, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1), mesh);
     if (given.CloseFaults)
     {
       const Reduction& vertices = surface.Mesh.Points;
       CloseMesh(vertices.Plane, points.Lattice, vertices.Boundary, mesh, monitor.Step(0.95, 1.0));
-    }
-    if (HasSeams(options.Seams))
-    {
-      WriteSeams(outlines, points.Lattice, surface, options.Seams, onLowerSeam, mesh);
     }
   }
   WriteChosen(surface.Parameters, mesh.FieldData);
@@ -185,34 +115,5 @@ std::vector<std::string> RunSurface(
     WriteHeightNoise(*limit.Noise, mesh.FieldData);
   }
   return warnings;
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void RunSurfaceJoin(std::vector<Horizon> meshes, std::int64_t minimumPatchSize, Horizon& output, const Monitor& monitor)
-{
-  CheckAtLeast<std::int64_t>("minimum patch size", minimumPatchSize, 1, " point");
-  const auto isEmpty = [](const Horizon& mesh)
-  { return mesh.NumberOfPoints() == 0 && !mesh.FieldData.Has(FieldArray::SeamRows); };
-  meshes.erase(std::remove_if(meshes.begin(), meshes.end(), isEmpty), meshes.end());
-  std::stable_sort(meshes.begin(), meshes.end(), // in ascending order of rows
-    [](const Horizon& a, const Horizon& b)
-    { return FirstValue(a.FieldData, FieldArray::SeamRows) < FirstValue(b.FieldData, FieldArray::SeamRows); });
-  std::vector<SurfacePart> parts;
-  for (const Horizon& mesh : meshes)
-  {
-    for (const char* const name : { FieldArray::LatticeToWorld, FieldArray::ChosenRadius,
-           FieldArray::ChosenSmallestHoleSize, FieldArray::ChosenDistanceThreshold })
-    {
-      RequireSame(meshes.front(), mesh, name);
-    }
-    parts.push_back(ReadSurfacePart(mesh));
-    monitor.Progress(0.4 * double(parts.size()) / double(meshes.size()));
-  }
-  if (!parts.empty())
-  {
-    const JoinedSurface joined = JoinSurface(parts, minimumPatchSize);
-    monitor.Progress(0.8);
-    WriteJoinedSurface(meshes, ReadLattice(meshes.front()), joined, output);
-  }
 }
 }

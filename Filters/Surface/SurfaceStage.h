@@ -9,7 +9,6 @@
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Decimation/DecimationStage.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,15 +28,11 @@ struct SurfaceStageOptions : ReducedMeshOptions
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
-  std::array<int, 2> SeamRows = { -1, -1 }; // rows shared with other parts; -1: none
 };
 
 /// Fills both outputs, which have the field data: the mesh, and the outlines with all points. Returns warnings.
 std::vector<std::string> RunSurface(
   const Horizon& horizon, const SurfaceStageOptions& options, std::vector<Horizon>& outputs, const Monitor& monitor);
-
-/// Joins parts of a horizon that have seams, in any order. The output is empty without parts.
-void RunSurfaceJoin(std::vector<Horizon> parts, std::int64_t minimumPatchSize, Horizon& output, const Monitor& monitor);
 }
 
 #endif

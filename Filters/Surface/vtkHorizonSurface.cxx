@@ -3,21 +3,11 @@
 
 #include "vtkHorizonSurface.h"
 
-#include "Common/Horizon/HeightNoise.h"
-#include "Common/VTK/HorizonConversion.h"
-#include "Common/VTK/HorizonTree.h"
-#include "Common/VTK/PipelineRequest.h"
-#include "Filters/Algorithms/Surface/Surface.h"
-#include "Filters/Common/HorizonPoints.h"
-#include "Filters/Common/LatticePoints.h"
 #include "SurfaceStage.h"
 
-#include "vtkFieldData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include <optional>
-#include <string>
 
 using namespace SeismicHorizons;
 
@@ -39,43 +29,6 @@ vtkHorizonSurface::vtkHorizonSurface()
 }
 
 //------------------------------------------------------------------------------
-void vtkHorizonSurface::Choose(vtkPolyData* horizon, const std::function<void(const LatticePoints&)>& choose)
-{
-  RunRequest(this, {}, NotEnoughMemory,
-    [&](std::string&, const Monitor&)
-    {
-      if (horizon && horizon->GetNumberOfPoints() > 0)
-      {
-        const Horizon points = FromVTK(horizon);
-        CheckArraySizes(points);
-        choose(ReadColumns(WithoutHiddenPoints(points)));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-int vtkHorizonSurface::ChooseRadius(vtkPolyData* horizon)
-{
-  int radius = 0;
-  this->Choose(horizon, [&](const LatticePoints& points) { radius = SeismicHorizons::ChooseRadius(points.Column); });
-  return radius;
-}
-
-//------------------------------------------------------------------------------
-double vtkHorizonSurface::ChooseMaximumError(vtkPolyData* horizon, vtkFieldData* figures)
-{
-  HeightNoise noise;
-  this->Choose(horizon, [&](const LatticePoints& points) { noise = MeasureHeightNoise(points.Column, points.Height); });
-  if (figures)
-  {
-    ArrayTable measured;
-    WriteHeightNoise(noise, measured);
-    ToVTK(measured, figures);
-  }
-  return noise.MaximumError();
-}
-
-//------------------------------------------------------------------------------
 void vtkHorizonSurface::ProcessHorizon(const Horizon& horizon, Outputs& outputs, const Monitor& monitor)
 {
   SurfaceStageOptions options;
@@ -92,6 +45,5 @@ void vtkHorizonSurface::ProcessHorizon(const Horizon& horizon, Outputs& outputs,
   options.MinimumPatchSize = this->MinimumPatchSize;
   options.OutlineTolerance = UnlessAutomatic<double>(this->AutomaticOutlineTolerance, this->OutlineTolerance);
   options.DistanceThreshold = UnlessAutomatic<double>(this->AutomaticDistanceThreshold, this->DistanceThreshold);
-  options.SeamRows = { this->SeamRows[0], this->SeamRows[1] };
   this->Warn(RunSurface(horizon, options, outputs, monitor));
 }

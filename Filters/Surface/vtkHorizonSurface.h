@@ -39,13 +39,6 @@
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
-#include <functional> // for what is chosen
-
-namespace SeismicHorizons
-{
-struct LatticePoints;
-}
-
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonReducedMesh
 {
 public:
@@ -133,26 +126,6 @@ public:
    */
   vtkHorizonNumberMacro(DistanceThreshold, double);
 
-  /**
-   * Lower and upper rows that this part shares with others, for vtkHorizonSurfaceJoin; -1: none. Unit: rows. Range: at
-   * least -1. Default: -1, -1.
-   *
-   * The parts on both sides have the points of such a row (j), and this part has none beyond it. Target must be
-   * LargestError, with a given MaximumError and not in the unit Diagonal, holes must be kept, MinimumPatchSize must be
-   * 1, and growth Clockwise unless the radius is 1. The mesh has two additional arrays: SeamRows (int, 2 components),
-   * these rows, as field data, and SeamGap (unsigned char) at points, 1 to the left of gaps along a seam that are not
-   * filled. PointCount leaves out the points of the row below.
-   */
-  vtkHorizonVectorMacro(SeamRows, int, 2);
-
-  /**
-   * The radius that AutomaticRadius chooses for the points of a horizon, for use with all its parts; 0 if there are
-   * none, and, after an error, if they are not on a lattice.
-   */
-  int ChooseRadius(vtkPolyData* horizon);
-  /// The same for an automatic MaximumError, in lattice units. Figures get HeightNoise or HeightRounding.
-  double ChooseMaximumError(vtkPolyData* horizon, vtkFieldData* figures = nullptr);
-
 protected:
   vtkHorizonSurface();
   ~vtkHorizonSurface() override = default;
@@ -163,8 +136,6 @@ protected:
 private:
   vtkHorizonSurface(const vtkHorizonSurface&) = delete;
   void operator=(const vtkHorizonSurface&) = delete;
-
-  void Choose(vtkPolyData* horizon, const std::function<void(const SeismicHorizons::LatticePoints&)>& choose);
 
   int Target = LargestError;
   int MaximumNumberOfTriangles = 20000;
@@ -180,7 +151,6 @@ private:
   double OutlineTolerance = 0.0;
   bool AutomaticDistanceThreshold = true;
   double DistanceThreshold = 0.4;
-  int SeamRows[2] = { -1, -1 };
 };
 
 #endif

@@ -32,7 +32,7 @@ constexpr int ListeningInterval = 50; // ms
 
 bool IsStage(vtkObjectBase* object)
 {
-  const auto bases = { "vtkHorizonStage", "vtkHorizonSource", "vtkHorizonSurfaceJoin", "vtkSEGYCubeReader" };
+  const auto bases = { "vtkHorizonStage", "vtkHorizonSource", "vtkSEGYCubeReader" };
   return object && std::any_of(bases.begin(), bases.end(), [object](const char* name) { return object->IsA(name); });
 }
 

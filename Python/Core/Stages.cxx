@@ -177,7 +177,6 @@ nb::tuple MeshSurface(const nb::dict& given, const nb::dict& chosen, const nb::o
   Take(chosen, "minimum_patch_size", options.MinimumPatchSize);
   Take(chosen, "outline_tolerance", options.OutlineTolerance);
   Take(chosen, "distance_threshold", options.DistanceThreshold);
-  Take(chosen, "seam_rows", options.SeamRows);
   return Call(given, 2, true, progress,
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     { return RunSurface(horizon, options, outputs, monitor); });
@@ -200,18 +199,6 @@ nb::tuple ChooseError(const nb::dict& given)
   ArrayTable figures;
   WriteHeightNoise(noise, figures);
   return nb::make_tuple(noise.MaximumError(), GiveTable(figures));
-}
-
-nb::dict JoinParts(const nb::list& parts, std::int64_t minimumPatchSize, const nb::object& progress)
-{
-  std::vector<Horizon> meshes;
-  for (const nb::handle& part : parts)
-  {
-    meshes.push_back(TakeData(nb::cast<nb::dict>(part)));
-  }
-  Horizon joined;
-  Run(progress, [&](const Monitor& monitor) { RunSurfaceJoin(std::move(meshes), minimumPatchSize, joined, monitor); });
-  return GiveData(joined);
 }
 
 // ---- Preparations ---------------------------------------------------------------------------------------------------
@@ -322,7 +309,6 @@ void BindStages(nb::module_& module)
   module.def(
     "choose_radius", [](const nb::dict& given) { return ChooseRadius(ReadGiven(given).Column); }, "horizon"_a);
   module.def("choose_error", &ChooseError, "horizon"_a);
-  module.def("join", &JoinParts, "parts"_a, "minimum_patch_size"_a, "progress"_a.none());
   nb::class_<GivenFaults>(module, "GivenFaults")
     .def(
       "__init__",

@@ -26,7 +26,6 @@ from ._thesis import (
     decimation,
     elaborate_simplification,
     exterior_boundary,
-    join,
     rough_simplification,
     triangulation,
 )
@@ -35,5 +34,5 @@ from ._volume import amplitudes, cube
 
 __all__ = ["Cube", "Cutoffs", "Distance", "Faults", "Horizon", "Lattice", "Layers", "Ledger", "Lines", "Mesh", "SealedModel", "Thickness", "amplitudes",
            "boundary_simplification", "contours", "crossings", "cube", "cutoffs", "decimation", "despike", "distance",
-           "elaborate_simplification", "exterior_boundary", "extract", "faults", "fill_holes", "horizon", "join", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "sealed", "surface",
+           "elaborate_simplification", "exterior_boundary", "extract", "faults", "fill_holes", "horizon", "layers", "read", "read_cube", "read_faults", "read_mesh", "rough_simplification", "sealed", "surface",
            "thickness", "triangulation", "write"]

@@ -72,8 +72,7 @@ def read(path: str | os.PathLike[str], horizons: str | Sequence[str] | None = No
     leave_out_strays : bool
         Leaves out picks off the lattice or far from the others, up to a tenth of them.
     rows : (first, last), optional
-        Reads only these rows of sparse voxels, for a horizon larger than memory. `surface(part, seam_rows=)` meshes
-        such a part, and `join` joins the meshes.
+        Reads only these rows of sparse voxels, for a horizon larger than memory.
     vertical_step : float, optional
         z between vertical indices; by default derived from the heights.
     direction : "down" or "up", optional

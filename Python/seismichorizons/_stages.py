@@ -243,7 +243,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
             radius: int | None = None,
             keep_holes: bool = True, smallest_hole_size: int | None = None, minimum_patch_size: int = 1,
             outline_tolerance: float | None = None, distance_threshold: float | str | None = None, faults: Faults | None = None,
-            close_faults: bool = False, seam_rows: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
+            close_faults: bool = False, progress: Progress | None = None) -> Any:
     """Makes a mesh with few triangles within a given error.
 
     Parameters
@@ -286,8 +286,6 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         Faults that split the surface, from `faults`.
     close_faults : bool
         Closes cracks at faults with steep triangles.
-    seam_rows : (below, above), optional
-        Lowest and highest row if this part shares them with others, for `join`; -1: not shared.
     progress : callable, optional
         Called with the fraction done; an exception in it stops the work.
 
@@ -315,7 +313,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
                      crossing_tolerance=crossing_tolerance, radius=radius,
                      keep_holes=keep_holes, smallest_hole_size=smallest_hole_size, minimum_patch_size=minimum_patch_size,
                      outline_tolerance=outline_tolerance, distance_threshold=distance_threshold, faults=faults,
-                     close_faults=close_faults, seam_rows=seam_rows, progress=progress)
+                     close_faults=close_faults, progress=progress)
         return {name: surface(one, largest_error, **given) for name, one in horizon.items()}
     require_horizon(horizon, "a surface")
     if largest_error is not None and triangles is not None:
@@ -325,7 +323,7 @@ def surface(horizon: Any, largest_error: float | str | None = None, *, triangles
         fit_heights=bool(fit_heights), keep_holes=bool(keep_holes),
         crossing_tolerance=crossing_tolerance,
         minimum_patch_size=_count("minimum_patch_size", minimum_patch_size), close_faults=bool(close_faults), error_unit="world",
-        radius=None if radius is None else _count("radius", radius), seam_rows=None if seam_rows is None else list(seam_rows),
+        radius=None if radius is None else _count("radius", radius),
         smallest_hole_size=None if smallest_hole_size is None else _count("smallest_hole_size", smallest_hole_size),
         outline_tolerance=None if outline_tolerance is None else float(outline_tolerance),
         distance_threshold=None if distance_threshold is None else

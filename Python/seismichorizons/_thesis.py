@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The single stages of the thesis, and the joining of meshes; `surface` runs all stages at once.
+"""The single stages of the thesis; `surface` runs all stages at once.
 
 Points with outlines and meshes are `Mesh` objects. Options and their defaults are those on the pages of the stages. All
 functions raise ValueError for data that a stage does not accept, and for options out of range.
@@ -8,7 +8,6 @@ functions raise ValueError for data that a stage does not accept, and for option
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from . import _core
@@ -191,22 +190,3 @@ def decimation(outlined: Mesh, largest_error: float | str | None = None, *, poin
         target="points" if points is not None else "reduction" if reduction is not None else "error",
         maximum_error=None if largest_error is None else height("largest_error", largest_error, outlined.vertical_unit))
     return _run(_core.decimation, outlined, outlined._data(), options, progress)
-
-
-def join(parts: Sequence[Mesh], *, minimum_patch_size: int = 1, progress: Progress | None = None) -> Mesh:
-    """Joins meshes of the parts of one horizon without gaps.
-
-    Parameters
-    ----------
-    parts : list of Mesh
-        Meshes from `surface` with `seam_rows`, with the same error and outline tolerance.
-    minimum_patch_size : int
-        Patches with fewer points are dropped.
-    progress : callable, optional
-    """
-    if not parts:
-        raise ValueError("no parts, expected meshes that surface(horizon, seam_rows=...) makes")
-    data = _core.join([part._data() for part in parts], int(minimum_patch_size), progress)
-    first = parts[0]
-    attributes = {name: values for name, values in first.attributes.items() if all(name in part.attributes for part in parts)}
-    return mesh_of(first.name, data, take_attributes(data["point_data"], attributes), {}, first.lattice)

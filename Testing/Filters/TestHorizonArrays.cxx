@@ -17,7 +17,6 @@
 #include "vtkHorizonRoughSimplification.h"
 #include "vtkHorizonSurface.h"
 #include "vtkHorizonSurfaceDistance.h"
-#include "vtkHorizonSurfaceJoin.h"
 #include "vtkHorizonTriangulation.h"
 
 #include "vtkCellData.h"
@@ -173,29 +172,6 @@ void TestPartitions()
 /// Of cells, those arrays that are read.
 void TestCells()
 {
-  vtkNew<vtkHorizonSurface> surface;
-  surface->SetInputDataObject(FromPicture(Rectangle(Size, Size), 1, UnitSurvey()));
-  surface->SetSeamRows(-1, -1);
-  surface->Update();
-  vtkNew<vtkPolyData> mesh;
-  mesh->ShallowCopy(surface->GetPolyDataOutput());
-  const auto seams = MakeArray<vtkIntArray>("SeamRows", 2);
-  seams->FillValue(-1); // none
-  mesh->GetFieldData()->AddArray(seams);
-  mesh->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("Error", 0));
-  vtkNew<vtkHorizonSurfaceJoin> join;
-  join->SetInputDataObject(mesh);
-  CheckRefused(join,
-    "array Error of 0 tuples, expected one for each of the " + std::to_string(mesh->GetNumberOfCells()) + " cells");
-  mesh->GetPointData()->AddArray(MakeArray<vtkUnsignedCharArray>("SeamGap", 0));
-  vtkNew<vtkHorizonSurfaceJoin> again;
-  again->SetInputDataObject(mesh);
-  CheckRefused(again, "array SeamGap of 0 tuples, expected one for each of the");
-  mesh->GetFieldData()->AddArray(MakeArray<vtkIntArray>("SeamRows", 0));
-  vtkNew<vtkHorizonSurfaceJoin> none;
-  none->SetInputDataObject(mesh);
-  CheckRefused(none, "a mesh without the field data array SeamRows");
-
   vtkNew<vtkPolyData> lines;
   lines->ShallowCopy(Bounded());
   lines->GetCellData()->AddArray(MakeArray<vtkStringArray>("FaultName", 0));

@@ -191,10 +191,9 @@ def value(mesh, name):
     return mesh.GetFieldData().GetArray(name).GetTuple1(0)
 
 
-def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_windows=False, in_stages=False):
-    """The faults of a mesh, as texts. Errors in lattice units, the tolerance in columns. Of one that was joined of windows
-    the page promises less: seams may be up to the error that is told, and sides beside them are not measured. Stages one
-    by one do not know any more what was dropped from outlines."""
+def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_stages=False):
+    """The faults of a mesh, as texts. Errors in lattice units, the tolerance in columns. Stages one by one do not know
+    any more what was dropped from outlines."""
     height_tolerance = error if height_tolerance is None else height_tolerance
     horizon = Heights(horizon_data)
     places = lattice_points(mesh)
@@ -219,22 +218,21 @@ def check(horizon_data, mesh, error, tolerance, height_tolerance=None, *, in_win
     outside = int((found > 1e-9).sum()) - len(lost)
     if outside != value(mesh, "NumberOfOutsidePoints"):
         faults.append(f"{outside} points outside, told {value(mesh, 'NumberOfOutsidePoints')}")
-    if not in_windows:
-        (off, columns), (beside, others), (farthest, between) = measure_links(
-            horizon, corners, heights, triangles, inside, faulted_links(horizon_data), not in_stages)
-        if off > error + slack:
-            faults.append(f"a side is {off:.4g} off between columns {columns}, asked {error}")
-        told = value(mesh, "LargestEdgeError")
-        if not in_stages and abs(told - farthest) > slack:
-            faults.append(f"a side is {farthest:.4g} off between columns {between}, told {told:.4g}")
-        told = value(mesh, "LargestLoopError")
-        if abs(told - max(beside, value(mesh, "OutlineHeightDeviation"))) > slack:
-            faults.append(f"a side at outlines is {beside:.4g} off between columns {others}, told {told:.4g}")
+    (off, columns), (beside, others), (farthest, between) = measure_links(
+        horizon, corners, heights, triangles, inside, faulted_links(horizon_data), not in_stages)
+    if off > error + slack:
+        faults.append(f"a side is {off:.4g} off between columns {columns}, asked {error}")
+    told = value(mesh, "LargestEdgeError")
+    if not in_stages and abs(told - farthest) > slack:
+        faults.append(f"a side is {farthest:.4g} off between columns {between}, told {told:.4g}")
+    told = value(mesh, "LargestLoopError")
+    if abs(told - max(beside, value(mesh, "OutlineHeightDeviation"))) > slack:
+        faults.append(f"a side at outlines is {beside:.4g} off between columns {others}, told {told:.4g}")
     slivers = int((smallest_angles(corners, triangles) < 2).sum())  # the default of SmallestAngle
-    if not in_windows and slivers != value(mesh, "SliverCount"):
+    if slivers != value(mesh, "SliverCount"):
         faults.append(f"{slivers} triangles with an angle below 2 degrees, told {value(mesh, 'SliverCount')}")
     told = value(mesh, "LargestError")
     largest = errors[inside if in_stages else covered].max(initial=0.0)
-    if largest > told + slack or (not in_windows and largest < told - slack) or told > max(error, height_tolerance) + slack:
+    if largest > told + slack or largest < told - slack or told > max(error, height_tolerance) + slack:
         faults.append(f"largest error {largest:.6g}, told {told:.6g}")
     return faults

@@ -96,22 +96,6 @@ def random_horizon(random):
     return make_horizon(columns, random_heights(random, size)[tuple(columns.T)], random.random() < 0.3)
 
 
-def rows_of(horizon, first, last):
-    """The points of some rows of the lattice."""
-    places = bound_check.lattice_points(horizon)
-    rows = numpy.rint(places[:, 1])
-    kept = numpy.flatnonzero((rows >= first) & (rows <= last))
-    part = vtkPolyData()
-    part.GetFieldData().ShallowCopy(horizon.GetFieldData())
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    points.SetNumberOfPoints(len(kept))
-    for n, point in enumerate(kept):
-        points.SetPoint(n, horizon.GetPoint(point))
-    part.SetPoints(points)
-    return part
-
-
 def run(algorithm, data, refusal=None):
     """The output, or None if the stage refuses with this text."""
     messages = []
@@ -206,23 +190,6 @@ class BoundTest(unittest.TestCase):
             decimation.SetErrorUnitToLattice()
             decimation.SetMaximumError(error)
             self.check(seed, horizon, run(decimation, outlines), error, outline, height, in_stages=True)
-
-    def test_windows(self):
-        for seed in range(FIRST, FIRST + RUNS):
-            random = numpy.random.default_rng(seed)
-            horizon = random_horizon(random)
-            rows = numpy.unique(numpy.rint(bound_check.lattice_points(horizon)[:, 1])).astype(int).tolist()
-            cut = int(random.choice(rows))
-            error = random_tolerances(random)[0]
-            join = sh.vtkHorizonSurfaceJoin()
-            for first, last, seams in ((rows[0], cut, (-1, cut)), (cut, rows[-1], (cut, -1))):
-                surface = sh.vtkHorizonSurface()
-                surface.SetMaximumError(error)
-                surface.AutomaticRadiusOff()
-                surface.SetSeamRows(seams)
-                join.AddInputDataObject(run(surface, rows_of(horizon, first, last)))
-            join.Update()
-            self.check(seed, horizon, join.GetOutputDataObject(0), error, error, in_windows=True)
 
     def test_figures_of_stages_before(self):
         """A second simplification keeps the figures of the first; those of triangles do not outlive these."""

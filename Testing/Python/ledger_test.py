@@ -25,7 +25,7 @@ RUNS, HEADER = int(sys.argv[1]), pathlib.Path(sys.argv[2])
 FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else 0
 sys.argv[2:] = ["-"]
 
-from bound_test import random_horizon, rows_of, run  # noqa: E402: takes the arguments
+from bound_test import random_horizon, run  # noqa: E402: takes the arguments
 
 
 def make(name, **properties):
@@ -138,26 +138,6 @@ class LedgerTest(unittest.TestCase):
             self.assertEqual(found.dropped_small_patch_points, size * size)
             self.assertGreaterEqual(found.ledger_columns.left_out, size * size)
             self.assertEqual(found.ledger_columns.known + found.ledger_columns.left_out, 81)
-
-    def test_windows(self):
-        for seed in range(FIRST, FIRST + RUNS):
-            random = numpy.random.default_rng(seed)
-            _, points = self.prepare(random, seed)
-            read = ledger_check.columns_of(points)["Known"]  # windows are those of a reader, which leaves nothing out
-            rows = numpy.unique(numpy.rint(ledger_check.places(points)[:, 1])).astype(int).tolist()
-            if not rows or any(data.HasArray(name) for data, name in (
-                    (points.GetPointData(), "Filled"), (points.GetFieldData(), "FaultedLinks"))):
-                continue
-            cut, error = int(random.choice(rows)), float(random.choice([0.75, 2.0]))
-            join = make("SurfaceJoin", MinimumPatchSize=1)
-            for first, last, seams in ((rows[0], cut, (-1, cut)), (cut, rows[-1], (cut, -1))):
-                surface = make("Surface", MaximumError=error, AutomaticRadius=False, SeamRows=seams)
-                join.AddInputDataObject(run(surface, rows_of(points, first, last)))
-            join.Update()
-            mesh = join.GetOutputDataObject(0)
-            own, expected = ledger_check.ledger(mesh), ledger_check.expected_of_mesh(read, points, mesh)
-            self.assertEqual(sums(own), sums(expected), seed)
-            self.assertLessEqual(abs(own["Known"] - expected["Known"]), 9, seed)  # a few columns of the seam (DataModel.md)
 
     def test_part_of_a_mesh(self):
         """Of a mesh that is not finished, and of the convex hull, the covered columns are right, and none is lost."""

@@ -16,7 +16,6 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 import mesh_checks
 from seismichorizons.vtk import make, update
-from seismichorizons_command import data, parts, reading
 
 RECIPES, DATA, FOLDER = (pathlib.Path(argument) for argument in sys.argv[1:4])
 PVBATCH, RECIPE = sys.argv[4:6]
@@ -25,56 +24,11 @@ SAMPLE = DATA / "blobs.vsm"
 
 def run(ranks, *arguments, fails=False):
     """What a recipe says on a number of processes."""
-    symmetric = ["--symmetric"] if RECIPE == "windows_on_ranks" else []
-    command = ["mpirun", "-np", str(ranks), PVBATCH, *symmetric, str(RECIPES / (RECIPE + ".py"))]
+    command = ["mpirun", "-np", str(ranks), PVBATCH, str(RECIPES / (RECIPE + ".py"))]
     done = subprocess.run(command + [str(argument) for argument in arguments], capture_output=True, text=True,
                           timeout=100, check=False)
     assert (done.returncode != 0) == fails, (done.returncode, done.stdout, done.stderr)
     return done.stdout + done.stderr
-
-
-class WindowSize:
-    def most_points(self):
-        return 1500
-
-    def limit_text(self):
-        return "1500 points"
-
-
-def mesh_alone():
-    """The number of points of the largest horizon, and its mesh by the functions of the package."""
-    source = reading.open_file(SAMPLE, with_overview=True)
-    source.list()
-    windows = parts.Windows(source, source.names.index("Horizon 1"), WindowSize())
-    return windows.number_of_points, data.to_vtk(parts.mesh(windows, {"MaximumError": 1.0}))
-
-
-def test_windows():
-    contents = []
-    for ranks in (1, 2):
-        path = FOLDER / ("mesh%d.vtp" % ranks)
-        said = run(ranks, SAMPLE, path, "--window-points", 1500)
-        assert "7 windows, " in said, said
-        contents.append(path.read_bytes())
-    assert contents[0] == contents[1]
-    points, expected = mesh_alone()
-    mesh = mesh_checks.read(FOLDER / "mesh2.vtp")
-    assert (mesh_checks.coordinates(mesh) == mesh_checks.coordinates(expected)).all()
-    assert (mesh_checks.triangles(mesh) == mesh_checks.triangles(expected)).all()
-    assert mesh_checks.check_mesh(mesh) > 0
-    assert mesh_checks.array(mesh, "PointCount").sum() == points
-    # A window with all of it needs no join; another horizon than the largest.
-    run(2, SAMPLE, FOLDER / "whole.vtp", "--horizon", "Horizon 2")
-    assert mesh_checks.check_mesh(mesh_checks.read(FOLDER / "whole.vtp")) > 0
-
-
-def test_windows_errors():
-    """One message, and an end of all processes."""
-    for arguments, message in (
-            ((SAMPLE, FOLDER / "x.vtp", "--horizon", "Top"), "no horizon 'Top', expected one of Horizon 1, Horizon 2,"),
-            ((SAMPLE, FOLDER / "absent" / "x.vtp"), "x.vtp cannot be written")):
-        said = run(2, *arguments, fails=True)
-        assert said.count("windows_on_ranks: ") == 1 and message in said, said
 
 
 def rows(path):
@@ -138,10 +92,7 @@ def test_in_situ():
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
-    if RECIPE == "windows_on_ranks":
-        test_windows()
-        test_windows_errors()
-    elif RECIPE == "in_situ":
+    if RECIPE == "in_situ":
         test_in_situ()
     else:
         test_extracts()

@@ -175,20 +175,6 @@ class ThesisTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "before it is meshed"):
             sh.rough_simplification(mesh)
 
-    def test_parts_join(self):
-        horizon = sh.horizon(noisy(8, 80, 60), **PLACE)
-        row = horizon.columns[:, 1]
-        parts = []
-        for first, last, seams in ((0, 40, (-1, 40)), (40, 79, (40, -1))):
-            kept = (row >= first) & (row <= last)
-            part = sh.Horizon(horizon.name, horizon.columns[kept], horizon.z[kept], horizon.lattice)
-            parts.append(sh.surface(part, 2.0, radius=1, smallest_hole_size=9, outline_tolerance=0.75, seam_rows=seams))
-        whole = sh.join(parts)
-        self.assertEqual(len(whole.outlines), 1)
-        self.assertLessEqual(whole.largest_error, 2.0 + 1e-9)
-        found = sh.distance(horizon, whole)
-        self.assertLessEqual(np.nanmax(np.abs(found.vertical_of_reference)), 2.0 + 1e-6)
-
 
 class SeveralTest(unittest.TestCase):
     def test_tiles_fit_at_their_border(self):

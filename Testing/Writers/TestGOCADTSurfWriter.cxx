@@ -212,7 +212,7 @@ void OnlyAttributesOfPicksAreWritten()
   CHECK(Has(withAttributes, "PROPERTIES \"Mean Amplitude\" normal\n") && !Has(withAttributes, "CNXYZ"));
   mesh->GetPointData()->Initialize();
   for (const char* const name : { "SurfaceId", "Column", "Elevation", "VerticalIndex", "RealZ", "PatchId", "Boundary",
-         "PointCount", "SeamGap", "CellOrigin", "Flatness", "Distance", "VerticalDistance", "Filled", "Spike" })
+         "PointCount", "CellOrigin", "Flatness", "Distance", "VerticalDistance", "Filled", "Spike" })
   {
     AddPointArray<vtkDoubleArray>(mesh, name, { 7, 8, 9, 10 }, 1);
   }

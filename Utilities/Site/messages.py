@@ -23,7 +23,7 @@ PAGES = {stem: page for page, stems in {
     "HorizonTriangulation": "FaultClosing CrackData", "HorizonFaults": "CutData",
     "HorizonSources": "MapImage Gridding PickArrays HorizonFromPoints HorizonFromImage",
     "HorizonLayers": "HorizonStack LayerOutput HorizonCrossings", "HorizonSealedModel": "SealedModel",
-    "HorizonSurfaceJoin": "SeamData", "HorizonText": "Survey", "Formats": "Writers HorizonDXF HorizonMesh",
+    "HorizonText": "Survey", "Formats": "Writers HorizonDXF HorizonMesh",
     "SeismicReflectionExtraction": "Reflections ImageCube GuidePicks", "": "Parameters LatticeImage",
 }.items() for stem in stems.split()}
 # Python functions and exceptions that take messages.

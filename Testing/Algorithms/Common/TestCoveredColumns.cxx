@@ -123,17 +123,6 @@ void TestLoops()
   CHECK_EQUAL(without[LedgerEntry::LeftOut], 7);
 }
 
-/// The row 0 is that of another part; all along the row 6 counts.
-void TestSharedRows()
-{
-  const Loops loops = ToLoops({ { 0, 1, 2, 3, 4, 3, 5 }, { 6, 8, 7 }, { 9, 10 }, { 11 } });
-  const CoveredColumns covered(Vertices, loops, 1, { 0, 6 });
-  CHECK_EQUAL(covered.Count(), 44 - 9 + 4);
-  const Ledger ledger = covered.Account({ { 0, 0 }, { 20, 0 }, { 1, 6 }, { 6, 6 } }, {}, KeptPoints::All(4));
-  CHECK_EQUAL(ledger[LedgerEntry::Known], 1);
-  CHECK_EQUAL(ledger[LedgerEntry::LeftOut], 1);
-}
-
 void TestCoverOnly()
 {
   Ledger ledger;
@@ -156,7 +145,6 @@ int TestCoveredColumns(int, char*[])
   TestTriangles(1);
   TestTriangles(1 << 10);
   TestLoops();
-  TestSharedRows();
   TestCoverOnly();
   return Check::Result();
 }

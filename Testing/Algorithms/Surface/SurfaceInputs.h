@@ -7,7 +7,6 @@
 #define SeismicHorizonsSurfaceInputs_h
 
 #include "Filters/Algorithms/Surface/Surface.h"
-#include "SurfaceParts.h"
 #include "Tools/Patches.h"
 
 #include <cstddef>
@@ -18,10 +17,19 @@ namespace SurfaceInputs
 {
 using namespace SeismicHorizons;
 
-template <typename Height>
-SurfaceParts::Points MakePoints(const Patches::Columns& columns, Height&& height)
+/// The points of a surface with the memory for them.
+struct Points
 {
-  SurfaceParts::Points points;
+  std::vector<PlanePoint> Columns;
+  std::vector<double> Height;
+
+  operator SurfacePoints() const { return { this->Columns, this->Height }; }
+};
+
+template <typename Height>
+Points MakePoints(const Patches::Columns& columns, Height&& height)
+{
+  Points points;
   for (const PlanePoint& column : columns)
   {
     points.Columns.push_back(column);

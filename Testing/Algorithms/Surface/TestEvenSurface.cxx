@@ -4,7 +4,7 @@
 // Even meshes: lengths of edges and angles, measured anew, on folds with holes, bays, noise and steep flanks.
 
 #include "Filters/Algorithms/Surface/Surface.h"
-#include "SurfaceParts.h"
+#include "SurfaceInputs.h"
 #include "Tools/Check.h"
 #include "Tools/Patches.h"
 
@@ -35,10 +35,10 @@ bool IsIn(Shape shape, int x, int y)
                                 : y < 0.6 * Side + 0.3 * Side * std::sin(0.12 * x);
 }
 
-SurfaceParts::Points MakePoints(Shape shape, double steepness, double noise)
+SurfaceInputs::Points MakePoints(Shape shape, double steepness, double noise)
 {
   Patches::Random random(17);
-  SurfaceParts::Points points;
+  SurfaceInputs::Points points;
   for (int n = 0; n < Side * Side; ++n)
   {
     const int x = n % Side;
@@ -110,7 +110,7 @@ void TestShapes()
         SurfaceOptions options;
         options.MaximumError = isRough ? 1.0 : 2.0;
         options.EdgeLength = length;
-        const SurfaceParts::Points points = MakePoints(shape, isRough ? 60.0 : 5.0, isRough ? 1.5 : 0.0);
+        const SurfaceInputs::Points points = MakePoints(shape, isRough ? 60.0 : 5.0, isRough ? 1.5 : 0.0);
         const Surface surface = MakeSurface(points, options);
         const Measure measure = MeasureMesh(surface);
         CHECK(measure.LongestInside <= length + 1e-9);
@@ -131,7 +131,7 @@ void TestGrowth()
   options.MaximumError = 3.0;
   options.EdgeLength = 25.0;
   options.EdgeGrowth = 0.3;
-  const SurfaceParts::Points points = MakePoints(Shape::Square, 5.0, 0.0);
+  const SurfaceInputs::Points points = MakePoints(Shape::Square, 5.0, 0.0);
   const Surface surface = MakeSurface(points, options);
   const std::vector<PlanePoint>& plane = surface.Mesh.Points.Plane;
   double longest = 0.0;
@@ -156,7 +156,7 @@ void TestErrors()
     options.EdgeLength = length;
     options.EdgeGrowth = growth;
     options.MaximumNumberOfTriangles = triangles;
-    const SurfaceParts::Points points = MakePoints(Shape::Square, 5.0, 0.0);
+    const SurfaceInputs::Points points = MakePoints(Shape::Square, 5.0, 0.0);
     CHECK_THROWS_WITH(MakeSurface(points, options), message);
   };
   refuse(3.0, 0.0, 0, "edge length 3, expected at least 4 columns, or 0 for any");

@@ -21,7 +21,7 @@ using namespace SurfaceInputs;
 
 namespace
 {
-using SurfaceParts::Points;
+using SurfaceInputs::Points;
 
 double Fold(const PlanePoint& column)
 {

@@ -79,7 +79,7 @@ void TestBesideSlivers()
     const bool isRim = column.X == 0 || column.X == 79 || column.Y == 0 || column.Y == 39;
     return isRim ? 5.0 : 5.0 + 2.0 * ((column.X + column.Y) % 2) + (column.X * 7 + column.Y * 3) % 4;
   };
-  const SurfaceParts::Points points = MakePoints(Rectangle(80, 40), rough);
+  const SurfaceInputs::Points points = MakePoints(Rectangle(80, 40), rough);
   SurfaceOptions options = Within(0.75);
   options.SmallestAngle = 0.0;
   options.Crossings = CrossingTolerance::Unbounded;

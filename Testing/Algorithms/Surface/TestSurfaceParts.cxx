@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Horizons that are meshed in parts: one mesh within the error everywhere, as good as one that is made at once.
+
+#include "Filters/Algorithms/Surface/SurfaceParts.h"
+#include "Common/Horizon/MeshChecker.h"
+#include "Common/Horizon/Predicates.h"
+#include "Generator/HorizonGenerator.h"
+#include "SurfaceInputs.h"
+#include "Tools/BoundaryChecker.h"
+#include "Tools/Check.h"
+#include "Tools/ExactPlane.h"
+#include "Tools/Patches.h"
+#include "Tools/TestHorizons.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace SeismicHorizons;
+using namespace SurfaceInputs;
+
+namespace
+{
+using Places = std::map<std::pair<std::int32_t, std::int32_t>, std::size_t>;
+
+Places PlacesOf(const Points& points)
+{
+  Places places;
+  for (std::size_t n = 0; n < points.Columns.size(); ++n)
+  {
+    places[{ points.Columns[n].X, points.Columns[n].Y }] = n;
+  }
+  return places;
+}
+
+struct Fit
+{
+  double Largest = 0.0; // of points under or above a triangle, but for those of outlines
+  double LargestOfEdges = 0.0; // where inner edges cross links between such points
+  std::size_t Uncovered = 0; // of points on no outline
+};
+
+class Measure
+{
+public:
+  Measure(const Points& points, const Surface& surface)
+    : Given(points)
+    , Mesh(surface.Mesh)
+    , PointAt(PlacesOf(points))
+    , IsOnOutline(points.Columns.size(), false)
+    , IsCovered(points.Columns.size(), false)
+  {
+    surface.Boundary.Boundary.ForEachPoint(
+      [&](PointId point) { this->IsOnOutline[std::size_t(surface.Kept[std::size_t(point)])] = true; });
+  }
+
+  Fit Run()
+  {
+    std::map<std::pair<PointId, PointId>, int> edges;
+    for (std::size_t corner = 0; corner < this->Mesh.Triangles.size(); corner += 3)
+    {
+      const PointId* const ids = this->Mesh.Triangles.data() + corner;
+      this->MeasureTriangle(ids);
+      for (int n = 0; n < 3; ++n)
+      {
+        ++edges[std::minmax(ids[n], ids[(n + 1) % 3])];
+      }
+    }
+    for (const auto& [edge, triangles] : edges)
+    {
+      if (triangles == 2)
+      {
+        this->MeasureEdge(std::size_t(edge.first), std::size_t(edge.second));
+      }
+    }
+    for (std::size_t n = 0; n < this->IsCovered.size(); ++n)
+    {
+      this->Result.Uncovered += this->IsCovered[n] || this->IsOnOutline[n] ? 0 : 1;
+    }
+    return this->Result;
+  }
+
+private:
+  void MeasureTriangle(const PointId* ids)
+  {
+    const auto at = [&](int n) { return this->Mesh.Points.Plane[std::size_t(ids[n])]; };
+    const auto heightAt = [&](int n) { return this->Mesh.Points.Height[std::size_t(ids[n])]; };
+    const double area = double(ExactPlane::Turn(at(0), at(1), at(2)));
+    for (std::int32_t y = std::min({ at(0).Y, at(1).Y, at(2).Y }); y <= std::max({ at(0).Y, at(1).Y, at(2).Y }); ++y)
+    {
+      for (std::int32_t x = std::min({ at(0).X, at(1).X, at(2).X }); x <= std::max({ at(0).X, at(1).X, at(2).X }); ++x)
+      {
+        const double a = double(ExactPlane::Turn(at(1), at(2), { x, y }));
+        const double b = double(ExactPlane::Turn(at(2), at(0), { x, y }));
+        const double c = double(ExactPlane::Turn(at(0), at(1), { x, y }));
+        const auto found = this->PointAt.find({ x, y });
+        if (a >= 0.0 && b >= 0.0 && c >= 0.0 && found != this->PointAt.end())
+        {
+          const double height = (a * heightAt(0) + b * heightAt(1) + c * heightAt(2)) / area;
+          const double off = std::abs(height - this->Given.Height[found->second]);
+          this->IsCovered[found->second] = true;
+          this->Result.Largest = std::max(this->Result.Largest, this->IsOnOutline[found->second] ? 0.0 : off);
+        }
+      }
+    }
+  }
+
+  void MeasureEdge(std::size_t from, std::size_t to)
+  {
+    for (const bool isTurned : { false, true })
+    {
+      const auto place = [&](std::size_t vertex)
+      {
+        const PlanePoint& own = this->Mesh.Points.Plane[vertex];
+        return isTurned ? PlanePoint{ own.Y, own.X } : own;
+      };
+      const bool isUp = place(from).Y < place(to).Y;
+      const std::size_t low = isUp ? from : to;
+      const std::size_t high = isUp ? to : from;
+      for (std::int32_t row = place(low).Y + 1; row < place(high).Y; ++row)
+      {
+        const double part = double(row - place(low).Y) / double(place(high).Y - place(low).Y);
+        const double x = place(low).X + part * (double(place(high).X) - place(low).X);
+        const auto left = std::int32_t(std::floor(x + 1e-9));
+        const auto pointAt = [&](std::int32_t column)
+        { return this->PointAt.find(isTurned ? std::make_pair(row, column) : std::make_pair(column, row)); };
+        const auto first = pointAt(left);
+        const auto second = pointAt(left + 1);
+        if (x - left < 1e-6 || first == this->PointAt.end() || second == this->PointAt.end() ||
+          this->IsOnOutline[first->second] || this->IsOnOutline[second->second])
+        {
+          continue;
+        }
+        const double onLink = this->Given.Height[first->second] +
+          (x - left) * (this->Given.Height[second->second] - this->Given.Height[first->second]);
+        const double onEdge = this->Mesh.Points.Height[low] +
+          part * (this->Mesh.Points.Height[high] - this->Mesh.Points.Height[low]);
+        this->Result.LargestOfEdges = std::max(this->Result.LargestOfEdges, std::abs(onEdge - onLink));
+      }
+    }
+  }
+
+  const Points& Given;
+  const Decimation& Mesh;
+  const Places PointAt;
+  std::vector<bool> IsOnOutline;
+  std::vector<bool> IsCovered;
+  Fit Result;
+};
+
+/// What is wrong with a mesh; empty when nothing is.
+std::string Check(const Points& points, const Surface& surface, double error)
+{
+  constexpr double rounding = 1e-9;
+  const Decimation& mesh = surface.Mesh;
+  BoundedHorizon horizon;
+  horizon.Plane = mesh.Points.Plane;
+  horizon.Height = mesh.Points.Height;
+  horizon.Boundary = mesh.Points.Boundary;
+  for (const PointId source : mesh.Points.Source)
+  {
+    horizon.Patch.push_back(surface.Boundary.Patch[std::size_t(source)]);
+  }
+  std::string wrong = MeshChecker::CheckMesh(horizon, mesh.Triangles, MeshChecker::Kind::Any);
+  wrong = wrong.empty() ? BoundaryChecker::CheckCrossings(horizon) : wrong;
+  const Fit fit = Measure(points, surface).Run();
+  std::ostringstream text;
+  const auto targets = std::count(mesh.Points.Target.begin(), mesh.Points.Target.end(), NoPoint);
+  if (fit.Largest > error + rounding || mesh.LargestError > error + rounding || fit.LargestOfEdges > error + rounding ||
+    mesh.LargestEdgeError > error + rounding || fit.LargestOfEdges > mesh.LargestEdgeError + rounding)
+  {
+    text << "errors " << fit.Largest << ' ' << mesh.LargestError << ' ' << fit.LargestOfEdges << ' '
+         << mesh.LargestEdgeError;
+  }
+  else if (targets != 0 || mesh.Points.Target.size() != surface.Kept.size())
+  {
+    text << targets << " of " << mesh.Points.Target.size() << " points without a vertex";
+  }
+  return wrong.empty() ? text.str() : wrong;
+}
+
+Points SortedByRow(const Patches::Columns& columns, const std::vector<double>& heights)
+{
+  std::vector<std::pair<PlanePoint, double>> all;
+  for (std::size_t n = 0; n < columns.size(); ++n)
+  {
+    all.emplace_back(columns[n], heights[n]);
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return PrecedesByRow(a.first, b.first); });
+  Points points;
+  for (const auto& [column, height] : all)
+  {
+    points.Columns.push_back(column);
+    points.Height.push_back(height);
+  }
+  return points;
+}
+
+/// More with the variable SEEDS of the environment.
+void TestRandomPatches()
+{
+  const char* const text = std::getenv("SEEDS");
+  const int seeds = text ? std::atoi(text) : 600;
+  for (int seed = 1; seed <= seeds; ++seed)
+  {
+    Patches::Random random(std::uint64_t(seed) * 7919u);
+    const Patches::Columns columns = Patches::Make(Patches::Shape(seed % int(Patches::Shape::Count)), random);
+    const Points points = SortedByRow(columns, TestHorizons::MakeHeights(columns, random));
+    SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
+    options.Radius = 1;
+    options.RowsOfPart = 2 + random.Below(12);
+    options.KeepHoles = seed % 5 != 0;
+    if (seed % 4 == 0)
+    {
+      options.SmallestHoleSize = 1 + random.Below(20);
+    }
+    if (seed % 7 == 0)
+    {
+      options.MinimumPatchSize = 1 + random.Below(9);
+    }
+    std::string wrong;
+    try
+    {
+      wrong = Check(points, MakeSurface(points, options), options.MaximumError);
+    }
+    catch (const std::exception& error)
+    {
+      wrong = error.what();
+    }
+    if (!CHECK_EQUAL(wrong, std::string()))
+    {
+      std::cerr << "seed " << seed << ", rows " << options.RowsOfPart << ", error " << options.MaximumError << '\n';
+    }
+  }
+}
+
+/// The voxels of a generated horizon: holes, one of them with an island, a ragged outline, single missing voxels.
+Points MakeGenerated(std::uint64_t seed, double dropouts)
+{
+  HorizonGeneratorOptions options;
+  options.Seed = seed;
+  options.Size = { 170, 340, 60 };
+  options.NumberOfHorizons = 1;
+  options.DropoutFraction = dropouts;
+  const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
+  Patches::Columns columns;
+  std::vector<double> heights;
+  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
+  {
+    columns.push_back({ voxels.Column[n].X, voxels.Column[n].Y });
+    heights.push_back(double(voxels.K[n]));
+  }
+  return SortedByRow(columns, heights);
+}
+
+/// As many holes and patches as in one piece, not many more vertices.
+void TestGenerated()
+{
+  double more = 0.0;
+  for (int seed = 1; seed <= 12; ++seed)
+  {
+    const Points points = MakeGenerated(std::uint64_t(seed), seed % 2 == 0 ? 0.03 : 0.0);
+    SurfaceOptions options = Within(seed % 3 == 0 ? 1.5 : 0.75);
+    options.Radius = 1;
+    const Surface whole = MakeSurface(points, options);
+    options.RowsOfPart = 120;
+    const Surface surface = MakeSurface(points, options);
+    CHECK_EQUAL(Check(points, surface, options.MaximumError), std::string());
+    CHECK_EQUAL(surface.Mesh.Points.Boundary.Size(), whole.Mesh.Points.Boundary.Size());
+    CHECK_EQUAL(surface.NumberOutside > 0, whole.NumberOutside > 0);
+    more += double(surface.Mesh.Points.Source.size()) / double(whole.Mesh.Points.Source.size()) / 12.0;
+    std::cerr << surface.Mesh.Points.Source.size() << " for " << whole.Mesh.Points.Source.size() << '\n';
+  }
+  CHECK(more < 1.05);
+}
+}
+
+int TestSurfaceParts(int, char*[])
+{
+  TestRandomPatches();
+  TestGenerated();
+  return Check::Result();
+}
