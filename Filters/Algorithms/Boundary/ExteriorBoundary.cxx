@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: clockwise growth; hops to neighbours, with bridges of growth by distance and through seams; the scan
-// that finds all loops for these; the choice between the two; the classification of points.
+// In this order: clockwise growth; hops to neighbours, with bridges of growth by distance; the scan that finds all loops
+// for these; the choice between the two; the classification of points.
 //
 // Both methods walk around faces of a plane graph. The graph is decided before the walk, which therefore needs no rules
 // of its own and cannot cross itself.
@@ -44,14 +44,13 @@ constexpr std::size_t FacesPerBatch = 256;
 class FaceFinder
 {
 public:
-  FaceFinder(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+  FaceFinder(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
     : Columns(index.Columns())
     , Options(options)
     , Index(index)
     , Hops(options.Radius, this->Index.Width())
-    , Gaps(columns, this->Index, options)
     , Blocks(options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, this->Columns, this->Index) : nullptr)
-    , Graph(this->Index, this->Hops, this->Gaps, this->Blocks.get(), monitor)
+    , Graph(this->Index, this->Hops, this->Blocks.get(), monitor)
     , Parts(options.Cuts ? FindHopComponents(this->Index, this->Columns.size(), this->Hops, this->Graph)
                          : FindPatchComponents(this->Index, this->Columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
@@ -61,7 +60,6 @@ public:
     {
       this->Cracks.emplace(this->Columns, this->Index, this->Hops, *this->Blocks);
     }
-    this->Gaps.Join(this->Index, this->Parts);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)
@@ -99,7 +97,6 @@ private:
       {
         this->Cracks->AddOutline(this->Steps);
       }
-      DropStepsInGaps(this->Steps);
       if (this->WalksHoles)
       {
         this->Remember();
@@ -142,7 +139,6 @@ private:
     const std::int64_t inside = ColumnsInside(this->Hops, this->Steps);
     const bool isHole = this->Options.KeepHoles && inside > 0 && inside >= this->Options.SmallestHoleSize;
     const bool hasLoop = this->Cracks ? this->Cracks->AddHole(this->Steps, isHole, inside > 0) : isHole;
-    DropStepsInGaps(this->Steps);
     if (hasLoop || inside > 0 || this->Steps.size() >= SmallestWalkToRemember)
     {
       this->Remember();
@@ -199,7 +195,6 @@ private:
   const BoundaryOptions& Options;
   const ColumnIndex& Index;
   const HopVectors Hops;
-  const SeamGaps Gaps;
   const std::unique_ptr<const CutBlocks> Blocks; // null without cuts
   const PlanarHops Graph;
   PatchComponents Parts;
@@ -324,13 +319,11 @@ class NeighbourGraph
 {
 public:
   /// Bridges may be null.
-  NeighbourGraph(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const PatchBridges* bridges)
+  NeighbourGraph(const ColumnIndex& index, const HopVectors& hops, const PatchBridges* bridges)
     : Index(index)
     , Hops(hops)
-    , Gaps(gaps)
     , Bridges(bridges)
     , East(hops.Find({ 1, 0 }))
-    , West(hops.Find({ -1, 0 }))
   {
     assert(hops.ToNeighbours().size() == this->Neighbours.size());
     std::copy(hops.ToNeighbours().begin(), hops.ToNeighbours().end(), this->Neighbours.begin());
@@ -344,10 +337,6 @@ public:
   /// Returns the first hop after `from` in a clockwise sweep, `from` last.
   SweepResult Sweep(std::int64_t place, HopId from) const
   {
-    if (this->Gaps.Has(place))
-    {
-      return { this->Hops.Opposite(from), false };
-    }
     const HopId bridge = this->Bridges ? this->Bridges->Next(place, from) : NoHop;
     bool passedEast = false;
     for (std::size_t n = this->After[from]; n < this->After[from] + this->Neighbours.size(); ++n)
@@ -357,7 +346,7 @@ public:
       {
         break;
       }
-      if (this->Leads(place, next))
+      if (this->Index.Has(place + this->Hops.Offset(next)))
       {
         return { next, passedEast };
       }
@@ -366,21 +355,11 @@ public:
     return { bridge, passedEast };
   }
 
-  bool LeadsEast(std::int64_t place) const { return this->Leads(place, this->East); }
-
 private:
-  bool Leads(std::int64_t place, HopId hop) const
-  {
-    const std::int64_t end = place + this->Hops.Offset(hop);
-    return this->Index.Has(end) || ((hop == this->East || hop == this->West) && this->Gaps.Has(end));
-  }
-
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  const SeamGaps& Gaps;
   const PatchBridges* const Bridges;
   const HopId East;
-  const HopId West;
   std::array<HopId, 8> Neighbours;
   std::vector<std::size_t> After; // by hop: position in Neighbours of the next one in a sweep
 };
@@ -508,7 +487,7 @@ private:
   /// run clockwise and have no size.
   bool EntersHole(std::int64_t place, std::int32_t patch)
   {
-    if (!this->Options.KeepHoles || this->HopGraph.LeadsEast(place) || this->FilledHoleEast[this->Index[place]])
+    if (!this->Options.KeepHoles || this->FilledHoleEast[this->Index[place]])
     {
       return false;
     }
@@ -541,7 +520,6 @@ private:
 
   void NumberSteps(std::int32_t patch)
   {
-    DropStepsInGaps(this->Steps);
     for (const FaceStep& step : this->Steps)
     {
       this->Result.Patch[step.Point] = patch;
@@ -573,13 +551,12 @@ private:
 };
 
 // ---- The boundary --------------------------------------------------------------------------------------------------
-ExteriorBoundary GrowByDistance(
-  const ColumnIndex& index, const SeamGaps& noGaps, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary GrowByDistance(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
 {
   BoundaryOptions allHoles = options;
   allHoles.SmallestHoleSize = 1;
   const HopVectors neighbours(1, index.Width());
-  const NeighbourGraph parted(index, neighbours, noGaps, nullptr);
+  const NeighbourGraph parted(index, neighbours, nullptr);
   ExteriorBoundary parts = BorderScan(index, neighbours, parted, allHoles).Run(monitor.Step(0.0, 0.4));
   const HopVectors hops(options.Radius, index.Width());
   const PatchBridges bridges(index.Columns(), index, hops, parts);
@@ -588,35 +565,30 @@ ExteriorBoundary GrowByDistance(
   {
     return parts;
   }
-  const NeighbourGraph bridged(index, hops, noGaps, &bridges);
+  const NeighbourGraph bridged(index, hops, &bridges);
   return BorderScan(index, hops, bridged, options).Run(monitor.Step(0.5, 1.0));
 }
 
 /// `cracks` receives input for FindCracks().
-ExteriorBoundary Find(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options,
-  std::vector<CrackSide>& cracks, const Monitor& monitor)
+ExteriorBoundary Find(const ColumnIndex& index, const BoundaryOptions& options, std::vector<CrackSide>& cracks,
+  const Monitor& monitor)
 {
   if (options.Cuts || (options.Radius > 1 && options.Growth == GrowthStrategy::Clockwise))
   {
-    FaceFinder finder(columns, index, options, monitor.Step(0.0, 0.5));
+    FaceFinder finder(index, options, monitor.Step(0.0, 0.5));
     cracks = finder.FindCrackSides();
     return finder.Run(monitor.Step(0.5, 1.0));
   }
-  const SeamGaps gaps(columns, index, options);
   if (options.Radius > 1)
   {
-    return GrowByDistance(index, gaps, options, monitor);
+    return GrowByDistance(index, options, monitor);
   }
   const HopVectors hops(1, index.Width());
-  return BorderScan(index, hops, NeighbourGraph(index, hops, gaps, nullptr), options).Run(monitor);
+  return BorderScan(index, hops, NeighbourGraph(index, hops, nullptr), options).Run(monitor);
 }
 
 void CheckCuts(const BoundaryOptions& options)
 {
-  if (options.Cuts && HasSeams(options.Seams))
-  {
-    throw InputError("faulted links and a seam, expected one of them: a crack may continue beyond the seam");
-  }
   if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
   {
     throw InputError("faulted links and growth by distance with a radius of " + std::to_string(options.Radius) +
@@ -651,12 +623,11 @@ ExteriorBoundary WithoutSmallPatches(const ExteriorBoundary& all, std::int64_t m
   return result;
 }
 
-void CheckBoundaryOptions(PlanePoints columns, const BoundaryOptions& options)
+void CheckBoundaryOptions(const BoundaryOptions& options)
 {
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
-  CheckSeams(columns, options);
   CheckCuts(options);
 }
 
@@ -713,19 +684,19 @@ void MarkCorners(const ColumnIndex& index, const std::vector<std::int32_t>& patc
 //----------------------------------------------------------------------------------------------------------------------
 ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options)
 {
-  CheckBoundaryOptions(columns, options);
+  CheckBoundaryOptions(options);
   // Cuts refer to columns by position, so that empty bands must not be removed.
   return ColumnIndex(columns, 2 * options.Radius, options.Cuts ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ExteriorBoundary FindExteriorBoundary(
-  PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary FindExteriorBoundary([[maybe_unused]] PlanePoints columns, const ColumnIndex& index,
+  const BoundaryOptions& options, const Monitor& monitor)
 {
-  CheckBoundaryOptions(columns, options);
-  assert(options.Seams.LongestEdge <= ColumnIndex::LongestReach);
+  CheckBoundaryOptions(options);
+  assert(columns.size() == index.Columns().size());
   std::vector<CrackSide> cracks;
-  ExteriorBoundary result = Find(columns, index, options, cracks, monitor);
+  ExteriorBoundary result = Find(index, options, cracks, monitor);
   if (options.MinimumPatchSize > 1)
   {
     result = WithoutSmallPatches(result, options.MinimumPatchSize);

@@ -30,7 +30,6 @@
 #include "Common/Horizon/Types.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -40,20 +39,6 @@ enum class GrowthStrategy
   Distance = 0, // Loops follow neighbours, and longer hops where no neighbour continues.
   Clockwise = 1 // Loops take the first hop of a clockwise sweep, whatever its length.
 };
-
-/// Neighbouring windows of a horizon share the row of a seam (PlanarHops.h). No point lies beyond.
-struct SeamRows
-{
-  std::optional<std::int32_t> Lower;
-  std::optional<std::int32_t> Upper;
-  /// Breaks in a seam up to this width or the radius are closed, in columns.
-  int LongestEdge = 1;
-};
-
-inline bool HasSeams(const SeamRows& seams)
-{
-  return seams.Lower || seams.Upper;
-}
 
 struct BoundaryOptions
 {
@@ -65,10 +50,8 @@ struct BoundaryOptions
   /// The size counts columns strictly inside, islands included.
   std::int64_t SmallestHoleSize = 1;
   std::int64_t MinimumPatchSize = 1;
-  /// A seam requires loops of holes, a minimum patch size of 1, and a radius of 1 for growth by distance.
-  SeamRows Seams;
-  /// A hole with a cut always has a loop, counter-clockwise around both cutoffs of a crack. Cuts exclude seams, and
-  /// growth by distance with a radius above 1.
+  /// A hole with a cut always has a loop, counter-clockwise around both cutoffs of a crack. Cuts exclude growth
+  /// by distance with a radius above 1.
   const LinkCuts* Cuts = nullptr;
 };
 

@@ -127,7 +127,7 @@ private:
 // A walk sweeps clockwise at each point from the hop it came by, which comes last, and leaves by the first hop of the
 // plane graph. Its face is on the left: the outer face is walked clockwise, a hole counter-clockwise.
 
-/// The hop is NoHop at an isolated point. In the break of a seam there is no point (SeamGaps).
+/// The hop is NoHop at an isolated point.
 struct FaceStep
 {
   PointId Point;
@@ -185,13 +185,6 @@ inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<Face
 {
   const FaceSize size = MeasureFace(hops, steps);
   return size.TwiceArea > 0 ? (size.TwiceArea - size.OnLoop) / 2 + 1 : 0;
-}
-
-/// ColumnsInside() must be called before.
-inline void DropStepsInGaps(std::vector<FaceStep>& steps)
-{
-  steps.erase(std::remove_if(steps.begin(), steps.end(), [](const FaceStep& step) { return step.Point == NoPoint; }),
-    steps.end());
 }
 
 /// The loop begins at its point of least x, then y, and there with the hop that comes first in a sweep from the south.
