@@ -15,8 +15,9 @@
 // the outer one, since their meshes would overlap.
 //
 // Time is linear in the points and in the columns of their bounding box, with a factor that grows with k beside empty
-// columns. Temporary memory is 12 bytes per 64 columns of the box, 4 bytes per point for growth by distance with k > 1,
-// and with cuts a byte per column. The walk is sequential, hence one thread.
+// columns. Temporary memory is 16 bytes per 64 columns of the box, 4 bytes per run of adjacent points in a row, 4 bytes
+// per point for growth by distance with k > 1, and with cuts a byte per column. The walk is sequential, hence one
+// thread.
 
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
@@ -28,6 +29,7 @@
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/Types.h"
+#include "PatchSpans.h"
 
 #include <cstdint>
 #include <vector>
@@ -78,6 +80,19 @@ ExteriorBoundary FindExteriorBoundary(
 ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options);
 ExteriorBoundary FindExteriorBoundary(
   PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor = Monitor());
+
+/// The same boundary without arrays by point, for horizons larger than memory.
+struct RowBoundary
+{
+  Loops Boundary; // as in ExteriorBoundary
+  PatchSpans Patches;
+  std::vector<std::int64_t> PatchSizes; // number of points by patch
+  std::size_t NumberOfPatches = 0;
+};
+
+/// The points of the index must be row-major, and its rim not empty. Throws InputError for cuts or a radius above 1.
+RowBoundary FindExteriorBoundary(
+  const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor = Monitor());
 
 /// Points with a patch are renumbered from 0.
 KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary);

@@ -208,8 +208,7 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(
-  const ColumnIndex& index, const HopVectors& hops, const CutBlocks* cuts, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnIndex& index, const HopVectors& hops, const CutBlocks* cuts, const Monitor& monitor)
   : Index(index)
   , Hops(hops)
   , Cuts(cuts)
