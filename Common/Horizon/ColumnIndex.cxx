@@ -129,6 +129,7 @@ PlaceSet::PlaceSet(std::int64_t width, std::int64_t height)
 //----------------------------------------------------------------------------------------------------------------------
 ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
   : Given(given)
+  , Count(std::uint32_t(given.size()))
 {
   if (given.empty())
   {
@@ -140,17 +141,12 @@ ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
   }
   const PlanePoints columns = this->Columns();
   const ColumnRows rows = ColumnRows::Of(columns);
-  const PlaneBox& box = rows.Box;
-  this->MinX = std::int64_t(box.Least.X) - rim;
-  this->MinY = std::int64_t(box.Least.Y) - rim;
-  this->SizeX = std::int64_t(box.Greatest.X) + rim + 1 - this->MinX;
-  this->SizeY = std::int64_t(box.Greatest.Y) + rim + 1 - this->MinY;
+  this->SetBox(rows.Box, rim);
   if (!this->Narrow.empty())
   {
     this->GivenX = ListGiven(given, columns, &PlanePoint::X, this->MinX, this->SizeX);
     this->GivenY = ListGiven(given, columns, &PlanePoint::Y, this->MinY, this->SizeY);
   }
-  this->Points = PlaceSet(this->SizeX, this->SizeY);
   if (rows.AreAscending)
   {
     this->AddRows();
@@ -171,11 +167,34 @@ ColumnIndex::ColumnIndex(PlanePoints given, std::int32_t rim, int reach)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void ColumnIndex::SetBox(const PlaneBox& box, std::int32_t rim)
+{
+  this->MinX = std::int64_t(box.Least.X) - rim;
+  this->MinY = std::int64_t(box.Least.Y) - rim;
+  this->SizeX = std::int64_t(box.Greatest.X) + rim + 1 - this->MinX;
+  this->SizeY = std::int64_t(box.Greatest.Y) + rim + 1 - this->MinY;
+  this->Points = PlaceSet(this->SizeX, this->SizeY);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::int64_t ColumnIndex::PlaceAtRank(std::uint32_t rank) const
+{
+  const auto next = std::upper_bound(this->Before.begin(), this->Before.end(), rank);
+  const std::int64_t first = (next - this->Before.begin() - 1) * PlaceSet::WordBits;
+  std::uint64_t bits = this->Points.WordAt(first);
+  for (std::uint32_t before = *std::prev(next); before < rank; ++before)
+  {
+    bits &= bits - 1;
+  }
+  return first + LowestBit(bits);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void ColumnIndex::AddRows()
 {
   const PlanePoints columns = this->Columns();
   const std::int64_t places = this->NumberOfPlaces();
-  this->Before.resize(CountChunks(places, PlaceSet::WordBits));
+  this->Before.resize(this->NumberOfWords());
   ForEachChunk(places, ChunkSize, Monitor(),
     [&](std::size_t, std::int64_t first, std::int64_t last)
     {

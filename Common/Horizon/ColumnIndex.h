@@ -4,7 +4,8 @@
 // Finds the point in a column. A place is a row-major position in the bounding box, with an empty rim so that searches
 // need no bounds checks. Each place has a bit, and each 64 places the number of points before them. This gives the
 // point if points are row-major, as from all readers, or else its position in a table. The index takes 12 bytes per 64
-// columns, a tenth of one number per column.
+// columns, a tenth of one number per column. Row-major columns need no array, since the bits also give the column of a
+// point.
 
 #ifndef SeismicHorizonsColumnIndex_h
 #define SeismicHorizonsColumnIndex_h
@@ -15,6 +16,7 @@
 #include "Types.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -159,7 +161,25 @@ public:
   /// to the memory of the columns. Throws InputError if two points share a column.
   explicit ColumnIndex(PlanePoints columns, std::int32_t rim = 1, int reach = AllBands);
 
+  /// Indexes the columns that forEachColumn(add) adds row by row from the least y, each row from the least x. They must
+  /// lie in the box. The index keeps no array of them. Throws InputError if two points share a column.
+  template <typename ForEachColumn>
+  ColumnIndex(const PlaneBox& box, std::int32_t rim, ForEachColumn&& forEachColumn)
+  {
+    if (!box.IsEmpty())
+    {
+      this->SetBox(box, rim);
+      this->Before.reserve(this->NumberOfWords());
+      forEachColumn([this](const PlanePoint& column) { this->Append(column); });
+      this->Before.resize(this->NumberOfWords(), this->Count);
+    }
+  }
+
+  /// This is empty without an array of columns.
   PlanePoints Columns() const { return this->Narrow.empty() ? this->Given : PlanePoints(this->Narrow); }
+
+  std::size_t NumberOfPoints() const { return this->Count; }
+  bool IsRowMajor() const { return this->Order.empty(); }
 
   std::int64_t Width() const { return this->SizeX; }
   std::int64_t Height() const { return this->SizeY; }
@@ -169,6 +189,19 @@ public:
   std::int64_t Place(const PlanePoint& column) const
   {
     return (std::int64_t(column.Y) - this->MinY) * this->SizeX + (std::int64_t(column.X) - this->MinX);
+  }
+
+  std::int64_t PlaceOf(PointId point) const
+  {
+    const PlanePoints columns = this->Columns();
+    return columns.empty() ? this->PlaceAtRank(std::uint32_t(point)) : this->Place(columns[std::size_t(point)]);
+  }
+
+  /// Returns the column as in Columns(), also without an array.
+  PlanePoint ColumnOf(PointId point) const
+  {
+    const PlanePoints columns = this->Columns();
+    return columns.empty() ? this->GivenColumn(this->PlaceAtRank(std::uint32_t(point))) : columns[std::size_t(point)];
   }
 
   /// Returns the given column at a place. In narrowed bands and in the rim, columns are counted from the last one before.
@@ -195,6 +228,15 @@ public:
 
   const PlaceSet& Occupied() const { return this->Points; }
 
+  /// Returns the number of points before a place, row by row.
+  std::int64_t Rank(std::int64_t place) const
+  {
+    const std::uint64_t bit = std::uint64_t(1) << (std::uint64_t(place) % PlaceSet::WordBits);
+    return this->Before[std::size_t(place) / PlaceSet::WordBits] + CountBits(this->Points.WordAt(place) & (bit - 1));
+  }
+
+  PointId PointOf(std::int64_t rank) const { return this->Order.empty() ? PointId(rank) : this->Order[rank]; }
+
   /// Calls visit(place, point) from `first` to before `last`.
   template <typename Visitor>
   void ForEachPoint(std::int64_t first, std::int64_t last, Visitor&& visit) const
@@ -215,14 +257,25 @@ public:
   }
 
 private:
-  std::int64_t Rank(std::int64_t place) const
+  std::size_t NumberOfWords() const { return std::size_t((this->NumberOfPlaces() - 1) / PlaceSet::WordBits + 1); }
+
+  void SetBox(const PlaneBox& box, std::int32_t rim);
+
+  void Append(const PlanePoint& column)
   {
-    const std::uint64_t bit = std::uint64_t(1) << (std::uint64_t(place) % PlaceSet::WordBits);
-    return this->Before[std::size_t(place) / PlaceSet::WordBits] + CountBits(this->Points.WordAt(place) & (bit - 1));
+    const std::int64_t place = this->Place(column);
+    if (this->Count > 0 && place == this->Last)
+    {
+      throw SameColumnError(PointId(this->Count - 1), PointId(this->Count), column);
+    }
+    assert(place > this->Last && place < this->NumberOfPlaces() && this->GivenColumn(place) == column);
+    this->Before.resize(std::size_t(place) / PlaceSet::WordBits + 1, this->Count);
+    this->Points.Add(place);
+    this->Last = place;
+    ++this->Count;
   }
 
-  PointId PointOf(std::int64_t rank) const { return this->Order.empty() ? PointId(rank) : this->Order[rank]; }
-
+  std::int64_t PlaceAtRank(std::uint32_t rank) const;
   void AddRows();
   void CountPoints();
   void SortPoints();
@@ -235,6 +288,8 @@ private:
   std::int64_t MinY = 0;
   std::int64_t SizeX = 0;
   std::int64_t SizeY = 0;
+  std::int64_t Last = -1; // the place that was added last without an array
+  std::uint32_t Count = 0; // number of points
   PlaceSet Points;
   std::vector<std::uint32_t> Before; // Number of points before each 64 places.
   std::vector<PointId> Order; // Empty if the points are row-major.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In this order: clockwise growth; hops to neighbours, with bridges of growth by distance and through seams; the scan
-// that finds all loops for these; the choice between the two; the classification of points.
+// In this order: clockwise growth; hops to neighbours, with bridges of growth by distance; the scan that finds all
+// loops for these; the choice between the two; the classification of points.
 //
 // Both methods walk around faces of a plane graph. The graph is decided before the walk, which therefore needs no rules
 // of its own and cannot cross itself.
@@ -44,14 +44,13 @@ constexpr std::size_t FacesPerBatch = 256;
 class FaceFinder
 {
 public:
-  FaceFinder(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+  FaceFinder(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
     : Columns(index.Columns())
     , Options(options)
     , Index(index)
     , Hops(options.Radius, this->Index.Width())
-    , Gaps(columns, this->Index, options)
     , Blocks(options.Cuts ? std::make_unique<const CutBlocks>(*options.Cuts, this->Columns, this->Index) : nullptr)
-    , Graph(this->Index, this->Hops, this->Gaps, this->Blocks.get(), monitor)
+    , Graph(this->Index, this->Hops, this->Blocks.get(), monitor)
     , Parts(options.Cuts ? FindHopComponents(this->Index, this->Columns.size(), this->Hops, this->Graph)
                          : FindPatchComponents(this->Index, this->Columns.size(), options.Radius))
     , Walked(this->Graph.Size() + 1, false)
@@ -61,7 +60,6 @@ public:
     {
       this->Cracks.emplace(this->Columns, this->Index, this->Hops, *this->Blocks);
     }
-    this->Gaps.Join(this->Index, this->Parts);
   }
 
   ExteriorBoundary Run(const Monitor& monitor)
@@ -99,12 +97,11 @@ private:
       {
         this->Cracks->AddOutline(this->Steps);
       }
-      DropStepsInGaps(this->Steps);
       if (this->WalksHoles)
       {
         this->Remember();
       }
-      AppendLoop(this->Columns, this->Steps, this->Faces);
+      AppendLoop(this->Hops, this->Steps, this->Faces);
     }
   }
 
@@ -142,14 +139,13 @@ private:
     const std::int64_t inside = ColumnsInside(this->Hops, this->Steps);
     const bool isHole = this->Options.KeepHoles && inside > 0 && inside >= this->Options.SmallestHoleSize;
     const bool hasLoop = this->Cracks ? this->Cracks->AddHole(this->Steps, isHole, inside > 0) : isHole;
-    DropStepsInGaps(this->Steps);
     if (hasLoop || inside > 0 || this->Steps.size() >= SmallestWalkToRemember)
     {
       this->Remember();
     }
     if (hasLoop)
     {
-      AppendLoop(this->Columns, this->Steps, this->Faces);
+      AppendLoop(this->Hops, this->Steps, this->Faces);
     }
   }
 
@@ -199,7 +195,6 @@ private:
   const BoundaryOptions& Options;
   const ColumnIndex& Index;
   const HopVectors Hops;
-  const SeamGaps Gaps;
   const std::unique_ptr<const CutBlocks> Blocks; // null without cuts
   const PlanarHops Graph;
   PatchComponents Parts;
@@ -218,7 +213,9 @@ private:
 struct SweepResult
 {
   HopId Next;
-  bool PassedEast; // The sweep passed the column to the right, which is therefore empty.
+  // The sweep passed the column to the right or to the left, which is therefore empty.
+  bool PassedEast;
+  bool PassedWest;
 };
 
 /// Of two opposite hops only the rising one is listed. Hops with the nearest ends come first.
@@ -238,28 +235,47 @@ std::vector<HopId> FindLongHops(const HopVectors& hops)
   return result;
 }
 
-std::vector<std::int64_t> FindPlaces(PlanePoints columns, const ColumnIndex& index, const Loops& loops)
+std::vector<std::int64_t> FindPlaces(const ColumnIndex& index, const Loops& loops)
 {
   std::vector<std::int64_t> places;
   places.reserve(loops.TotalLength());
-  loops.ForEachPoint([&](PointId point) { places.push_back(index.Place(columns[point])); });
+  loops.ForEachPoint([&](PointId point) { places.push_back(index.PlaceOf(point)); });
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
+}
+
+/// Returns the patch of each point.
+std::vector<std::int32_t> ListPatches(const ColumnIndex& index, const PatchSpans& spans)
+{
+  std::vector<std::int32_t> patches = LargeVector(spans.NumberOfPoints(), NoPatch);
+  ParallelFor(std::int64_t(patches.size()), Grain,
+    [&](std::int64_t firstPoint, std::int64_t lastPoint)
+    {
+      spans.ForEach(PointId(firstPoint), PointId(lastPoint),
+        [&](PointId first, PointId last, std::int32_t patch)
+        {
+          for (PointId rank = first; rank < last; ++rank)
+          {
+            patches[index.PointOf(rank)] = patch;
+          }
+        });
+    });
+  return patches;
 }
 
 class PatchBridges
 {
 public:
   /// `parts` is the boundary for k = 1; bridges join its patches.
-  PatchBridges(PlanePoints columns, const ColumnIndex& index, const HopVectors& hops, const ExteriorBoundary& parts)
+  PatchBridges(const ColumnIndex& index, const HopVectors& hops, const RowBoundary& parts)
     : Index(index)
     , Hops(hops)
-    , HasEnd(columns.size(), false)
+    , HasEnd(index.NumberOfPoints(), false)
   {
     if (parts.NumberOfPatches > 1)
     {
-      this->Join(FindPlaces(columns, index, parts.Boundary), parts);
+      this->Join(FindPlaces(index, parts.Boundary), parts);
     }
     std::sort(this->Ends.begin(), this->Ends.end(),
       [](const End& a, const End& b) { return a.Place != b.Place ? a.Place < b.Place : a.Hop < b.Hop; });
@@ -290,9 +306,10 @@ private:
     HopId Hop;
   };
 
-  void Join(const std::vector<std::int64_t>& onLoops, const ExteriorBoundary& parts)
+  void Join(const std::vector<std::int64_t>& onLoops, const RowBoundary& parts)
   {
-    const auto part = [&](std::int64_t place) { return parts.Patch[this->Index[place]]; };
+    const std::vector<std::int32_t> patches = ListPatches(this->Index, parts.Patches);
+    const auto part = [&](std::int64_t place) { return patches[this->Index[place]]; };
     DisjointSets joined(parts.NumberOfPatches);
     for (const HopId hop : FindLongHops(this->Hops))
     {
@@ -324,10 +341,9 @@ class NeighbourGraph
 {
 public:
   /// Bridges may be null.
-  NeighbourGraph(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const PatchBridges* bridges)
+  NeighbourGraph(const ColumnIndex& index, const HopVectors& hops, const PatchBridges* bridges)
     : Index(index)
     , Hops(hops)
-    , Gaps(gaps)
     , Bridges(bridges)
     , East(hops.Find({ 1, 0 }))
     , West(hops.Find({ -1, 0 }))
@@ -344,12 +360,9 @@ public:
   /// Returns the first hop after `from` in a clockwise sweep, `from` last.
   SweepResult Sweep(std::int64_t place, HopId from) const
   {
-    if (this->Gaps.Has(place))
-    {
-      return { this->Hops.Opposite(from), false };
-    }
     const HopId bridge = this->Bridges ? this->Bridges->Next(place, from) : NoHop;
     bool passedEast = false;
+    bool passedWest = false;
     for (std::size_t n = this->After[from]; n < this->After[from] + this->Neighbours.size(); ++n)
     {
       const HopId next = this->Neighbours[n % this->Neighbours.size()];
@@ -357,27 +370,19 @@ public:
       {
         break;
       }
-      if (this->Leads(place, next))
+      if (this->Index.Has(place + this->Hops.Offset(next)))
       {
-        return { next, passedEast };
+        return { next, passedEast, passedWest };
       }
       passedEast = passedEast || next == this->East;
+      passedWest = passedWest || next == this->West;
     }
-    return { bridge, passedEast };
+    return { bridge, passedEast, passedWest };
   }
-
-  bool LeadsEast(std::int64_t place) const { return this->Leads(place, this->East); }
 
 private:
-  bool Leads(std::int64_t place, HopId hop) const
-  {
-    const std::int64_t end = place + this->Hops.Offset(hop);
-    return this->Index.Has(end) || ((hop == this->East || hop == this->West) && this->Gaps.Has(end));
-  }
-
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  const SeamGaps& Gaps;
   const PatchBridges* const Bridges;
   const HopId East;
   const HopId West;
@@ -388,33 +393,74 @@ private:
 // ---- The scan -------------------------------------------------------------------------------------------------------
 // Finds all loops in one pass over the lattice if hops lead to neighbours (Suzuki and Abe, "Topological structural
 // analysis of digitized binary images by border following", 1985). Where a row comes from outside to an unvisited
-// point, the outline of a new patch is walked. The walk marks points with the outside to their right, where rows leave
-// the patch. A hole is walked where a row first meets it, and its inside then counts as outside; without a loop it
-// belongs to the patch, islands included.
+// point, the outline of a new patch is walked. The walk marks runs of adjacent points with the outside to their right,
+// where rows leave the patch, and numbers runs with the outside to their left, where rows enter it. A hole is walked
+// where a row first meets it, and its inside then counts as outside; without a loop it belongs to the patch, islands
+// included.
 //
 //     . . # # # . .        The middle row enters the patch at its first point and leaves it at its second, which the
 //     . . # . # . .        walk around the patch has marked. The empty column between them is in a hole.
 //     . . # # # . .
+
+/// Numbers the runs of adjacent points in rows, in their order. The index needs an empty rim.
+class RunNumbers
+{
+public:
+  explicit RunNumbers(const ColumnIndex& index)
+    : Points(index.Occupied())
+  {
+    this->Before.reserve(std::size_t(index.NumberOfPlaces() / PlaceSet::WordBits + 1));
+    for (std::int64_t place = 0; place < index.NumberOfPlaces(); place += PlaceSet::WordBits)
+    {
+      this->Before.push_back(this->Count);
+      this->Count += std::uint32_t(CountBits(this->FirstPlaces(place)));
+    }
+  }
+
+  std::size_t Size() const { return this->Count; }
+
+  /// The place must have a point.
+  std::size_t operator[](std::int64_t place) const
+  {
+    const std::uint64_t upTo = ~std::uint64_t(0) >> (PlaceSet::WordBits - 1 - place % PlaceSet::WordBits);
+    return this->Before[std::size_t(place / PlaceSet::WordBits)] +
+      std::size_t(CountBits(this->FirstPlaces(place) & upTo)) - 1;
+  }
+
+private:
+  /// Returns the first places of runs, of 64 from the multiple of 64 at or below `place`.
+  std::uint64_t FirstPlaces(std::int64_t place) const
+  {
+    const std::uint64_t word = this->Points.WordAt(place);
+    const std::uint64_t wordBefore = this->Points.WordAt(place - PlaceSet::WordBits);
+    return word & ~(word << 1U | wordBefore >> (PlaceSet::WordBits - 1));
+  }
+
+  const PlaceSet& Points;
+  std::vector<std::uint32_t> Before; // number of runs before each 64 places
+  std::uint32_t Count = 0;
+};
 
 class BorderScan
 {
 public:
   BorderScan(
     const ColumnIndex& index, const HopVectors& hops, const NeighbourGraph& graph, const BoundaryOptions& options)
-    : Columns(index.Columns())
-    , Index(index)
+    : Index(index)
     , Hops(hops)
     , HopGraph(graph)
     , Options(options)
     , West(hops.Find({ -1, 0 }))
     , East(hops.Find({ 1, 0 }))
-    , OutsideEast(this->Columns.size(), false)
-    , FilledHoleEast(options.KeepHoles ? this->Columns.size() : 0, false)
+    , Runs(index)
+    , PatchOfRun(this->Runs.Size(), NoPatch)
+    , OutsideEast(this->Runs.Size(), false)
+    , FilledHoleEast(options.KeepHoles ? this->Runs.Size() : 0, false)
   {
-    this->Result.Patch = LargeVector(this->Columns.size(), NoPatch);
+    this->Result.Patches = PatchSpans(index.NumberOfPoints());
   }
 
-  ExteriorBoundary Run(const Monitor& monitor)
+  RowBoundary Run(const Monitor& monitor)
   {
     for (std::int64_t row = 0; row < this->Index.Height(); ++row)
     {
@@ -424,8 +470,8 @@ public:
       }
       this->ScanRow(row * this->Index.Width(), (row + 1) * this->Index.Width());
     }
-    this->NumberSpans();
     this->Result.NumberOfPatches = this->Result.Boundary.Size();
+    this->Result.PatchSizes = this->Result.Patches.CountPoints(this->Result.NumberOfPatches);
     for (std::size_t loop = 0; loop < this->HoleLoops.Size(); ++loop)
     {
       this->Result.Boundary.AppendLoop(this->HoleLoops, loop);
@@ -434,14 +480,6 @@ public:
   }
 
 private:
-  /// Places of a row in one patch.
-  struct Span
-  {
-    std::int64_t First;
-    std::int64_t End;
-    std::int32_t Patch;
-  };
-
   /// The outside can only begin beside an empty column.
   void ScanRow(std::int64_t first, std::int64_t end)
   {
@@ -449,20 +487,19 @@ private:
     const auto lastOfRun = [](std::uint64_t word, std::uint64_t east) { return word & ~east; };
     for (std::int64_t place = this->FindNext(first, end, point); place < end; place = this->FindNext(place, end, point))
     {
-      const std::int64_t start = place;
-      if (this->Result.Patch[this->Index[start]] < 0)
+      if (this->PatchOfRun[this->Scanned] == NoPatch)
       {
-        this->WalkOutline(start);
+        this->WalkOutline(place);
       }
-      const std::int32_t inside = this->Result.Patch[this->Index[start]];
-      bool isInside = true;
-      while (isInside && place < end)
+      const std::int32_t inside = this->PatchOfRun[this->Scanned];
+      this->Result.Patches.Append(PointId(this->Index.Rank(place)), inside);
+      for (bool isInside = true; isInside; ++this->Scanned)
       {
         place = this->FindNext(place, end, lastOfRun);
-        isInside = place < end && !this->OutsideEast[this->Index[place]] && !this->EntersHole(place, inside);
+        assert(place < end);
+        isInside = !this->OutsideEast[this->Scanned] && !this->EntersHole(place, inside);
         ++place;
       }
-      this->Spans.push_back({ start, std::min(place, end), inside });
     }
   }
 
@@ -482,33 +519,18 @@ private:
     return end;
   }
 
-  void NumberSpans()
-  {
-    constexpr std::int64_t spansPerTask = 64;
-    ParallelFor(std::int64_t(this->Spans.size()), spansPerTask,
-      [this](std::int64_t first, std::int64_t last)
-      {
-        for (std::int64_t n = first; n < last; ++n)
-        {
-          const auto& [start, end, patch] = this->Spans[n];
-          this->Index.ForEachPoint(start, end, [&](std::int64_t, PointId point) { this->Result.Patch[point] = patch; });
-        }
-      });
-  }
-
   void WalkOutline(std::int64_t start)
   {
     this->Walk(start, this->West);
-    this->NumberSteps(std::int32_t(this->Result.Boundary.Size()));
-    AppendLoop(this->Columns, this->Steps, this->Result.Boundary);
-    this->Mark(this->OutsideEast);
+    this->MarkOutside(std::int32_t(this->Result.Boundary.Size()));
+    AppendLoop(this->Hops, this->Steps, this->Result.Boundary);
   }
 
-  /// Points around a hole without a loop are marked, so that it is walked once. So are islands in it: their outlines
-  /// run clockwise and have no size.
+  /// Runs beside a hole without a loop are marked, so that it is walked once. So are islands in it: their outlines run
+  /// clockwise and have no size.
   bool EntersHole(std::int64_t place, std::int32_t patch)
   {
-    if (!this->Options.KeepHoles || this->HopGraph.LeadsEast(place) || this->FilledHoleEast[this->Index[place]])
+    if (!this->Options.KeepHoles || this->FilledHoleEast[this->Scanned])
     {
       return false;
     }
@@ -517,106 +539,174 @@ private:
     const bool isKept = size > 0 && size >= this->Options.SmallestHoleSize;
     if (isKept)
     {
-      this->NumberSteps(patch);
-      AppendLoop(this->Columns, this->Steps, this->HoleLoops);
+      this->MarkOutside(patch);
+      AppendLoop(this->Hops, this->Steps, this->HoleLoops);
     }
-    this->Mark(isKept ? this->OutsideEast : this->FilledHoleEast);
+    else
+    {
+      this->MarkEast(this->FilledHoleEast);
+    }
     return isKept;
   }
 
   void Walk(std::int64_t start, HopId from)
   {
     this->PastEast.clear();
+    this->PastWest.clear();
     const auto next = [this](std::int64_t place, HopId last)
     {
       const SweepResult result = this->HopGraph.Sweep(place, last);
       if (result.PassedEast)
       {
-        this->PastEast.push_back(this->Index[place]);
+        this->PastEast.push_back(place);
+      }
+      if (result.PassedWest)
+      {
+        this->PastWest.push_back(place);
       }
       return result.Next;
     };
     WalkFace(this->Index, this->Hops, start, next(start, from), next, this->Steps);
   }
 
-  void NumberSteps(std::int32_t patch)
+  void MarkOutside(std::int32_t patch)
   {
-    DropStepsInGaps(this->Steps);
-    for (const FaceStep& step : this->Steps)
+    this->MarkEast(this->OutsideEast);
+    for (const std::int64_t place : this->PastWest)
     {
-      this->Result.Patch[step.Point] = patch;
+      this->PatchOfRun[this->Runs[place]] = patch;
     }
   }
 
-  void Mark(std::vector<bool>& marks) const
+  void MarkEast(std::vector<bool>& marks) const
   {
-    for (const PointId point : this->PastEast)
+    for (const std::int64_t place : this->PastEast)
     {
-      marks[point] = true;
+      marks[this->Runs[place]] = true;
     }
   }
 
-  const PlanePoints Columns;
   const ColumnIndex& Index;
   const HopVectors& Hops;
   const NeighbourGraph& HopGraph;
   const BoundaryOptions& Options;
   const HopId West;
   const HopId East;
-  ExteriorBoundary Result;
+  const RunNumbers Runs;
+  RowBoundary Result;
   Loops HoleLoops;
-  std::vector<Span> Spans;
-  std::vector<bool> OutsideEast; // The outside of the patch begins to the right of the point.
-  std::vector<bool> FilledHoleEast; // A hole without a loop begins to the right of the point.
+  std::size_t Scanned = 0; // number of runs
+  std::vector<std::int32_t> PatchOfRun; // NoPatch unless a walk passed the left end of the run
+  std::vector<bool> OutsideEast; // The outside of the patch begins to the right of the run.
+  std::vector<bool> FilledHoleEast; // A hole without a loop begins to the right of the run.
   std::vector<FaceStep> Steps;
-  std::vector<PointId> PastEast;
+  std::vector<std::int64_t> PastEast;
+  std::vector<std::int64_t> PastWest;
 };
 
 // ---- The boundary --------------------------------------------------------------------------------------------------
-ExteriorBoundary GrowByDistance(
-  const ColumnIndex& index, const SeamGaps& noGaps, const BoundaryOptions& options, const Monitor& monitor)
+RowBoundary GrowByDistance(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
 {
   BoundaryOptions allHoles = options;
   allHoles.SmallestHoleSize = 1;
   const HopVectors neighbours(1, index.Width());
-  const NeighbourGraph parted(index, neighbours, noGaps, nullptr);
-  ExteriorBoundary parts = BorderScan(index, neighbours, parted, allHoles).Run(monitor.Step(0.0, 0.4));
+  const NeighbourGraph parted(index, neighbours, nullptr);
+  RowBoundary parts = BorderScan(index, neighbours, parted, allHoles).Run(monitor.Step(0.0, 0.4));
   const HopVectors hops(options.Radius, index.Width());
-  const PatchBridges bridges(index.Columns(), index, hops, parts);
+  const PatchBridges bridges(index, hops, parts);
   monitor.Progress(0.5);
   if (bridges.IsEmpty() && options.SmallestHoleSize <= 1)
   {
     return parts;
   }
-  const NeighbourGraph bridged(index, hops, noGaps, &bridges);
+  const NeighbourGraph bridged(index, hops, &bridges);
   return BorderScan(index, hops, bridged, options).Run(monitor.Step(0.5, 1.0));
 }
 
-/// `cracks` receives input for FindCracks().
-ExteriorBoundary Find(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options,
-  std::vector<CrackSide>& cracks, const Monitor& monitor)
+/// Returns the new number of each patch, NoPatch below the minimum size.
+std::vector<std::int32_t> NumberLargePatches(const std::vector<std::int64_t>& sizes, std::int64_t minimumSize)
 {
-  if (options.Cuts || (options.Radius > 1 && options.Growth == GrowthStrategy::Clockwise))
+  std::vector<std::int32_t> numbers;
+  std::int32_t count = 0;
+  for (const std::int64_t size : sizes)
   {
-    FaceFinder finder(columns, index, options, monitor.Step(0.0, 0.5));
-    cracks = finder.FindCrackSides();
-    return finder.Run(monitor.Step(0.5, 1.0));
+    numbers.push_back(size < minimumSize ? NoPatch : count++);
   }
-  const SeamGaps gaps(columns, index, options);
-  if (options.Radius > 1)
+  return numbers;
+}
+
+/// Returns the loops of the patches with a number.
+template <typename PatchAt>
+Loops SelectLoops(const Loops& all, const std::vector<std::int32_t>& numbers, PatchAt&& patchAt)
+{
+  Loops kept;
+  for (std::size_t loop = 0; loop < all.Size(); ++loop)
   {
-    return GrowByDistance(index, gaps, options, monitor);
+    if (numbers[patchAt(*all.begin(loop))] != NoPatch)
+    {
+      kept.AppendLoop(all, loop);
+    }
   }
+  return kept;
+}
+
+void DropSmallPatches(const ColumnIndex& index, std::int64_t minimumSize, RowBoundary& boundary)
+{
+  std::vector<std::int64_t>& sizes = boundary.PatchSizes;
+  const std::vector<std::int32_t> numbers = NumberLargePatches(sizes, minimumSize);
+  boundary.Boundary = SelectLoops(boundary.Boundary, numbers,
+    [&](PointId point) { return boundary.Patches.PatchAt(PointId(index.Rank(index.PlaceOf(point)))); });
+  boundary.Patches = boundary.Patches.Renumbered(numbers);
+  sizes.erase(
+    std::remove_if(sizes.begin(), sizes.end(), [&](std::int64_t size) { return size < minimumSize; }), sizes.end());
+  boundary.NumberOfPatches = sizes.size();
+}
+
+void DropSmallPatches(std::int64_t minimumSize, ExteriorBoundary& boundary)
+{
+  std::vector<std::int64_t> sizes(boundary.NumberOfPatches, 0);
+  for (const std::int32_t patch : boundary.Patch)
+  {
+    ++sizes[patch];
+  }
+  const std::vector<std::int32_t> numbers = NumberLargePatches(sizes, minimumSize);
+  boundary.Boundary = SelectLoops(boundary.Boundary, numbers, [&](PointId point) { return boundary.Patch[point]; });
+  for (std::int32_t& patch : boundary.Patch)
+  {
+    patch = numbers[patch];
+  }
+  boundary.NumberOfPatches -= std::size_t(std::count(numbers.begin(), numbers.end(), NoPatch));
+}
+
+/// All hops lead to neighbours, or are bridges between patches of these.
+RowBoundary FindByNeighbours(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+{
   const HopVectors hops(1, index.Width());
-  return BorderScan(index, hops, NeighbourGraph(index, hops, gaps, nullptr), options).Run(monitor);
+  RowBoundary result = options.Radius > 1
+    ? GrowByDistance(index, options, monitor)
+    : BorderScan(index, hops, NeighbourGraph(index, hops, nullptr), options).Run(monitor);
+  if (options.MinimumPatchSize > 1)
+  {
+    DropSmallPatches(index, options.MinimumPatchSize, result);
+  }
+  return result;
+}
+
+ExteriorBoundary FindByPlanarHops(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+{
+  FaceFinder finder(index, options, monitor.Step(0.0, 0.5));
+  std::vector<CrackSide> cracks = finder.FindCrackSides();
+  ExteriorBoundary result = finder.Run(monitor.Step(0.5, 1.0));
+  if (options.MinimumPatchSize > 1)
+  {
+    DropSmallPatches(options.MinimumPatchSize, result);
+  }
+  result.OpenCracks = FindCracks(std::move(cracks), result.Boundary, result.Patch);
+  return result;
 }
 
 void CheckCuts(const BoundaryOptions& options)
 {
-  if (options.Cuts && HasSeams(options.Seams))
-  {
-    throw InputError("faulted links and a seam, expected one of them: a crack may continue beyond the seam");
-  }
   if (options.Cuts && options.Growth == GrowthStrategy::Distance && options.Radius > 1)
   {
     throw InputError("faulted links and growth by distance with a radius of " + std::to_string(options.Radius) +
@@ -624,40 +714,25 @@ void CheckCuts(const BoundaryOptions& options)
   }
 }
 
-ExteriorBoundary WithoutSmallPatches(const ExteriorBoundary& all, std::int64_t minimumSize)
-{
-  std::vector<std::int64_t> size(all.NumberOfPatches, 0);
-  for (const std::int32_t patch : all.Patch)
-  {
-    ++size[patch];
-  }
-  ExteriorBoundary result;
-  std::vector<std::int32_t> number(size.size(), NoPatch);
-  for (std::size_t patch = 0; patch < size.size(); ++patch)
-  {
-    number[patch] = size[patch] < minimumSize ? NoPatch : std::int32_t(result.NumberOfPatches++);
-  }
-  for (std::size_t loop = 0; loop < all.Boundary.Size(); ++loop)
-  {
-    if (number[all.Patch[*all.Boundary.begin(loop)]] != NoPatch)
-    {
-      result.Boundary.AppendLoop(all.Boundary, loop);
-    }
-  }
-  for (const std::int32_t patch : all.Patch)
-  {
-    result.Patch.push_back(number[patch]);
-  }
-  return result;
-}
-
-void CheckBoundaryOptions(PlanePoints columns, const BoundaryOptions& options)
+void CheckBoundaryOptions(const BoundaryOptions& options)
 {
   CheckWithin("radius", options.Radius, 1, LargestRadius, " columns");
   CheckAtLeast<std::int64_t>("smallest hole size", options.SmallestHoleSize, 1, " column");
   CheckAtLeast<std::int64_t>("minimum patch size", options.MinimumPatchSize, 1, " point");
-  CheckSeams(columns, options);
   CheckCuts(options);
+}
+
+void CheckRowOptions(const BoundaryOptions& options)
+{
+  if (options.Radius > 1)
+  {
+    throw InputError("a radius of " + std::to_string(options.Radius) +
+      " columns for a horizon that is larger than memory, expected 1");
+  }
+  if (options.Cuts)
+  {
+    throw InputError("faulted links for a horizon that is larger than memory, expected none");
+  }
 }
 
 std::vector<BoundaryKind> MarkLoops(const ExteriorBoundary& boundary)
@@ -713,25 +788,32 @@ void MarkCorners(const ColumnIndex& index, const std::vector<std::int32_t>& patc
 //----------------------------------------------------------------------------------------------------------------------
 ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options)
 {
-  CheckBoundaryOptions(columns, options);
+  CheckBoundaryOptions(options);
   // Cuts refer to columns by position, so that empty bands must not be removed.
   return ColumnIndex(columns, 2 * options.Radius, options.Cuts ? ColumnIndex::AllBands : ColumnIndex::LongestReach);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-ExteriorBoundary FindExteriorBoundary(
-  PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+ExteriorBoundary FindExteriorBoundary([[maybe_unused]] PlanePoints columns, const ColumnIndex& index,
+  const BoundaryOptions& options, const Monitor& monitor)
 {
-  CheckBoundaryOptions(columns, options);
-  assert(options.Seams.LongestEdge <= ColumnIndex::LongestReach);
-  std::vector<CrackSide> cracks;
-  ExteriorBoundary result = Find(columns, index, options, cracks, monitor);
-  if (options.MinimumPatchSize > 1)
+  CheckBoundaryOptions(options);
+  assert(columns.size() == index.Columns().size());
+  if (options.Cuts || (options.Radius > 1 && options.Growth == GrowthStrategy::Clockwise))
   {
-    result = WithoutSmallPatches(result, options.MinimumPatchSize);
+    return FindByPlanarHops(index, options, monitor);
   }
-  result.OpenCracks = FindCracks(std::move(cracks), result.Boundary, result.Patch);
-  return result;
+  RowBoundary found = FindByNeighbours(index, options, monitor);
+  return { std::move(found.Boundary), ListPatches(index, found.Patches), found.NumberOfPatches, {} };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RowBoundary FindExteriorBoundary(const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor)
+{
+  CheckBoundaryOptions(options);
+  CheckRowOptions(options);
+  assert(index.IsRowMajor());
+  return FindByNeighbours(index, options, monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -15,8 +15,9 @@
 // the outer one, since their meshes would overlap.
 //
 // Time is linear in the points and in the columns of their bounding box, with a factor that grows with k beside empty
-// columns. Temporary memory is 12 bytes per 64 columns of the box, 4 bytes per point for growth by distance with k > 1,
-// and with cuts a byte per column. The walk is sequential, hence one thread.
+// columns. Temporary memory is 16 bytes per 64 columns of the box, 4 bytes per run of adjacent points in a row, 4 bytes
+// per point for growth by distance with k > 1, and with cuts a byte per column. The walk is sequential, hence one
+// thread.
 
 #ifndef SeismicHorizonsExteriorBoundary_h
 #define SeismicHorizonsExteriorBoundary_h
@@ -28,9 +29,9 @@
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/LinkCuts.h"
 #include "Common/Horizon/Types.h"
+#include "PatchSpans.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace SeismicHorizons
@@ -40,20 +41,6 @@ enum class GrowthStrategy
   Distance = 0, // Loops follow neighbours, and longer hops where no neighbour continues.
   Clockwise = 1 // Loops take the first hop of a clockwise sweep, whatever its length.
 };
-
-/// Neighbouring windows of a horizon share the row of a seam (PlanarHops.h). No point lies beyond.
-struct SeamRows
-{
-  std::optional<std::int32_t> Lower;
-  std::optional<std::int32_t> Upper;
-  /// Breaks in a seam up to this width or the radius are closed, in columns.
-  int LongestEdge = 1;
-};
-
-inline bool HasSeams(const SeamRows& seams)
-{
-  return seams.Lower || seams.Upper;
-}
 
 struct BoundaryOptions
 {
@@ -65,10 +52,8 @@ struct BoundaryOptions
   /// The size counts columns strictly inside, islands included.
   std::int64_t SmallestHoleSize = 1;
   std::int64_t MinimumPatchSize = 1;
-  /// A seam requires loops of holes, a minimum patch size of 1, and a radius of 1 for growth by distance.
-  SeamRows Seams;
-  /// A hole with a cut always has a loop, counter-clockwise around both cutoffs of a crack. Cuts exclude seams, and
-  /// growth by distance with a radius above 1.
+  /// A hole with a cut always has a loop, counter-clockwise around both cutoffs of a crack. Cuts exclude growth
+  /// by distance with a radius above 1.
   const LinkCuts* Cuts = nullptr;
 };
 
@@ -95,6 +80,19 @@ ExteriorBoundary FindExteriorBoundary(
 ColumnIndex IndexForBoundary(PlanePoints columns, const BoundaryOptions& options);
 ExteriorBoundary FindExteriorBoundary(
   PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor = Monitor());
+
+/// The same boundary without arrays by point, for horizons larger than memory.
+struct RowBoundary
+{
+  Loops Boundary; // as in ExteriorBoundary
+  PatchSpans Patches;
+  std::vector<std::int64_t> PatchSizes; // number of points by patch
+  std::size_t NumberOfPatches = 0;
+};
+
+/// The points of the index must be row-major, and its rim not empty. Throws InputError for cuts or a radius above 1.
+RowBoundary FindExteriorBoundary(
+  const ColumnIndex& index, const BoundaryOptions& options, const Monitor& monitor = Monitor());
 
 /// Points with a patch are renumbered from 0.
 KeptPoints DropPointsWithoutPatch(ExteriorBoundary& boundary);

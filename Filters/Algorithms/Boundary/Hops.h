@@ -127,7 +127,7 @@ private:
 // A walk sweeps clockwise at each point from the hop it came by, which comes last, and leaves by the first hop of the
 // plane graph. Its face is on the left: the outer face is walked clockwise, a hole counter-clockwise.
 
-/// The hop is NoHop at an isolated point. In the break of a seam there is no point (SeamGaps).
+/// The hop is NoHop at an isolated point.
 struct FaceStep
 {
   PointId Point;
@@ -187,24 +187,25 @@ inline std::int64_t ColumnsInside(const HopVectors& hops, const std::vector<Face
   return size.TwiceArea > 0 ? (size.TwiceArea - size.OnLoop) / 2 + 1 : 0;
 }
 
-/// ColumnsInside() must be called before.
-inline void DropStepsInGaps(std::vector<FaceStep>& steps)
-{
-  steps.erase(std::remove_if(steps.begin(), steps.end(), [](const FaceStep& step) { return step.Point == NoPoint; }),
-    steps.end());
-}
-
 /// The loop begins at its point of least x, then y, and there with the hop that comes first in a sweep from the south.
-inline void AppendLoop(PlanePoints columns, std::vector<FaceStep>& steps, Loops& loops)
+inline void AppendLoop(const HopVectors& hops, std::vector<FaceStep>& steps, Loops& loops)
 {
-  const auto first = std::min_element(steps.begin(), steps.end(),
-    [&columns](const FaceStep& a, const FaceStep& b)
+  // Columns are relative to the first step.
+  PlanePoint column;
+  PlanePoint least;
+  std::size_t first = 0;
+  for (std::size_t n = 0; n < steps.size(); ++n)
+  {
+    const HopId hop = steps[n].Hop;
+    if (column < least || (column == least && hop < steps[first].Hop))
     {
-      const PlanePoint& columnA = columns[a.Point];
-      const PlanePoint& columnB = columns[b.Point];
-      return columnA == columnB ? a.Hop < b.Hop : columnA < columnB;
-    });
-  std::rotate(steps.begin(), first, steps.end());
+      least = column;
+      first = n;
+    }
+    const PlanePoint vector = hop == NoHop ? PlanePoint{} : hops.Vector(hop);
+    column = { column.X + vector.X, column.Y + vector.Y };
+  }
+  std::rotate(steps.begin(), steps.begin() + std::ptrdiff_t(first), steps.end());
   for (const FaceStep& step : steps)
   {
     loops.Append(step.Point);

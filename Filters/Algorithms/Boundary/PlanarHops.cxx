@@ -3,16 +3,14 @@
 //
 // In this order: candidates, long hops that no point near their start rules out; the border, points beside empty
 // columns, which alone have long hops; admissible hops, direct hops first, then the rest from short to long; the list
-// of hops by point; blocks with cuts; seams.
+// of hops by point; blocks with cuts.
 
 #include "PlanarHops.h"
 
-#include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Predicates.h"
-#include "PatchComponents.h"
 
 #include <algorithm>
 #include <array>
@@ -210,11 +208,9 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-PlanarHops::PlanarHops(
-  const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts, const Monitor& monitor)
+PlanarHops::PlanarHops(const ColumnIndex& index, const HopVectors& hops, const CutBlocks* cuts, const Monitor& monitor)
   : Index(index)
   , Hops(hops)
-  , Gaps(gaps)
   , Cuts(cuts)
   , Long(hops)
   , South(hops.Radius() > 1 ? hops.Find({ 0, -2 }) : NoHop)
@@ -403,7 +399,7 @@ void PlanarHops::ForEachShortHop(std::int64_t place, Visitor&& visit) const
   {
     const PlanePoint& vector = this->Hops.Vector(hop);
     const std::int64_t neighbour = place + this->Hops.Offset(hop);
-    if ((this->Has(neighbour) && this->IsAdmissible(place, vector)) || (vector.Y == 0 && this->Gaps.Has(neighbour)))
+    if (this->Has(neighbour) && this->IsAdmissible(place, vector))
     {
       visit(hop);
     }
@@ -501,7 +497,7 @@ HopId PlanarHops::Next(std::int64_t place, HopId from) const
   const std::int64_t number = this->BorderNumbers[place];
   if (number == PlaceNumbers::None)
   {
-    return this->Gaps.Has(place) ? this->Hops.Opposite(from) : this->NextShort(place, from);
+    return this->NextShort(place, from);
   }
   const HopId* const first = this->Listed.begin(number);
   const HopId* const last = this->Listed.end(number);
@@ -593,140 +589,5 @@ std::uint64_t CutBlocks::BesideOpenFrom(std::int64_t place) const
     bits |= std::uint64_t(this->IsBesideOpen(place + bit)) << bit;
   }
   return bits;
-}
-
-// ---- SeamGaps -------------------------------------------------------------------------------------------------------
-
-namespace
-{
-std::string ColumnText(const std::optional<std::int32_t>& row)
-{
-  return row ? std::to_string(*row) : std::string("none");
-}
-
-void CheckRows(PlanePoints columns, const SeamRows& seams)
-{
-  if (seams.Lower && seams.Upper && *seams.Lower >= *seams.Upper)
-  {
-    throw InputError("seams at row " + ColumnText(seams.Lower) + " and at row " + ColumnText(seams.Upper) +
-      ", expected the lower one at a smaller row");
-  }
-  const auto beyond = std::find_if(columns.begin(), columns.end(),
-    [&seams](const PlanePoint& column)
-    { return (seams.Lower && column.Y < *seams.Lower) || (seams.Upper && column.Y > *seams.Upper); });
-  if (beyond != columns.end())
-  {
-    throw InputError("point " + std::to_string(beyond - columns.begin()) + " in row " + std::to_string(beyond->Y) +
-      ", expected none beyond the seams (lower: " + ColumnText(seams.Lower) + ", upper: " + ColumnText(seams.Upper) +
-      ")");
-  }
-}
-
-void Renumber(const std::vector<std::int32_t>& joined, PatchComponents& parts)
-{
-  std::vector<std::int32_t> number(joined.size());
-  std::size_t count = 0;
-  for (std::size_t part = 0; part < joined.size(); ++part)
-  {
-    const bool isFirst = joined[part] == std::int32_t(part);
-    parts.First[count] = isFirst ? parts.First[part] : parts.First[count];
-    number[part] = isFirst ? std::int32_t(count++) : number[joined[part]];
-  }
-  parts.First.resize(count);
-  for (std::int32_t& component : parts.Component)
-  {
-    component = number[component];
-  }
-}
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void CheckSeams(PlanePoints columns, const BoundaryOptions& options)
-{
-  if (!HasSeams(options.Seams))
-  {
-    return;
-  }
-  if (!options.KeepHoles)
-  {
-    throw InputError("a seam without hole boundaries, expected them: a hole may continue beyond the seam");
-  }
-  if (options.MinimumPatchSize > 1)
-  {
-    throw InputError("a seam and a minimum patch size of " + std::to_string(options.MinimumPatchSize) +
-      " points, expected 1: a patch may continue beyond the seam");
-  }
-  if (options.Growth == GrowthStrategy::Distance && options.Radius > 1)
-  {
-    throw InputError("a seam and growth by distance with a radius of " + std::to_string(options.Radius) +
-      " columns, expected clockwise growth, or a radius of 1");
-  }
-  CheckRows(columns, options.Seams);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-SeamGaps::SeamGaps(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options)
-{
-  if (!HasSeams(options.Seams))
-  {
-    return;
-  }
-  const PlaneBox box(index.Columns());
-  const PlaneBox given(columns);
-  const auto fill = [&](Row& row, std::int32_t y)
-  {
-    row.First = index.Place({ box.Least.X, y });
-    row.IsInGap.assign(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), false);
-    this->Fill(row, index, options);
-  };
-  if (options.Seams.Lower == given.Least.Y)
-  {
-    fill(this->Rows[0], box.Least.Y);
-  }
-  if (options.Seams.Upper == given.Greatest.Y)
-  {
-    fill(this->Rows[1], box.Greatest.Y);
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void SeamGaps::Fill(Row& row, const ColumnIndex& index, const BoundaryOptions& options)
-{
-  std::int64_t last = -1;
-  for (std::int64_t column = 0; column < std::int64_t(row.IsInGap.size()); ++column)
-  {
-    if (!index.Has(row.First + column))
-    {
-      continue;
-    }
-    const std::int64_t step = column - last;
-    if (last >= 0 && step > options.Radius && step <= options.Seams.LongestEdge)
-    {
-      std::fill(row.IsInGap.begin() + last + 1, row.IsInGap.begin() + column, true);
-      this->Sides.push_back({ row.First + last, row.First + column });
-    }
-    last = column;
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void SeamGaps::Join(const ColumnIndex& index, PatchComponents& parts) const
-{
-  if (this->Sides.empty())
-  {
-    return;
-  }
-  DisjointSets sets(parts.First.size());
-  const auto component = [&](std::int64_t place) { return parts.Component[index[place]]; };
-  for (const std::array<std::int64_t, 2>& sides : this->Sides)
-  {
-    sets.Join(component(sides[0]), component(sides[1]));
-  }
-  std::vector<std::int32_t> joined(parts.First.size());
-  for (std::size_t part = 0; part < joined.size(); ++part)
-  {
-    joined[part] = sets.Find(std::int32_t(part));
-  }
-  Renumber(joined, parts);
 }
 }

@@ -51,48 +51,6 @@
 
 namespace SeismicHorizons
 {
-struct PatchComponents;
-
-// Seams of a window of a horizon: its lowest or highest row of columns, which the next window repeats. The connections
-// along a seam must follow from this row alone, so that both windows find the same.
-//
-//       # # # . # # # .      Hops along a row at the edge of all points cross no other hop, and so are in the graph of
-//       # # . . # # # #      any horizon. A break that is wider than the radius, up to the longest edge of a seam, is
-//    ---# # g g # # . #---   closed by gap columns (g): the walk passes straight through them, and they have no other
-//                            hops. A hole, if large enough, remains above them.
-
-/// Growth by distance with long hops is refused, as it omits some hops along a seam.
-void CheckSeams(PlanePoints columns, const BoundaryOptions& options);
-
-class SeamGaps
-{
-public:
-  /// Seams are rows of `columns`, the index may be narrower.
-  SeamGaps(PlanePoints columns, const ColumnIndex& index, const BoundaryOptions& options);
-
-  bool Has(std::int64_t place) const { return this->Rows[0].Has(place) || this->Rows[1].Has(place); }
-
-  void Join(const ColumnIndex& index, PatchComponents& parts) const;
-
-private:
-  struct Row
-  {
-    std::int64_t First = 0;
-    std::vector<bool> IsInGap;
-
-    bool Has(std::int64_t place) const
-    {
-      const std::int64_t column = place - this->First;
-      return column >= 0 && column < std::int64_t(this->IsInGap.size()) && this->IsInGap[column];
-    }
-  };
-
-  void Fill(Row& row, const ColumnIndex& index, const BoundaryOptions& options);
-
-  std::array<Row, 2> Rows;
-  std::vector<std::array<std::int64_t, 2>> Sides; // places of the points beside each break
-};
-
 // Faulted links (LinkCuts.h) bar hops between columns. A block is a unit square with a column at each corner; its sides
 // are links. Blocks with cut sides are open: long hops touch them with their ends only. A diagonal remains in a block
 // with two adjacent cut sides. With one cut side, at the tip of a crack, both diagonals would remain and cross, so that
@@ -179,8 +137,7 @@ class PlanarHops
 {
 public:
   /// The index needs an empty rim of at least 2 k columns. The object keeps references; `cuts` may be null.
-  PlanarHops(const ColumnIndex& index, const HopVectors& hops, const SeamGaps& gaps, const CutBlocks* cuts,
-    const Monitor& monitor);
+  PlanarHops(const ColumnIndex& index, const HopVectors& hops, const CutBlocks* cuts, const Monitor& monitor);
 
   /// Only these places are on outlines, or on faces with columns inside.
   const std::vector<std::int64_t>& PlacesBesideGaps() const { return this->Border; }
@@ -251,7 +208,6 @@ private:
 
   const ColumnIndex& Index;
   const HopVectors& Hops;
-  const SeamGaps& Gaps; // Its columns have hops to the left and right only.
   const CutBlocks* const Cuts;
   const LongHops Long;
   const HopId South; // These hops pass over a single empty column.

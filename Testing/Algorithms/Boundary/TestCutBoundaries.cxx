@@ -168,10 +168,6 @@ void TestErrors()
     "faulted links and growth by distance with a radius of 2 columns, expected clockwise growth, or a radius of 1");
   options.Radius = 1;
   CHECK_EQUAL(FindExteriorBoundary(patch.Columns, options).NumberOfPatches, 1u);
-  options.KeepHoles = true;
-  options.Seams.Lower = 0;
-  CHECK_THROWS_WITH(FindExteriorBoundary(patch.Columns, options),
-    "faulted links and a seam, expected one of them: a crack may continue beyond the seam");
   CHECK_EQUAL(FindExteriorBoundary({}, With(patch)).NumberOfPatches, 0u);
 }
 
