@@ -24,9 +24,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// Interpolated heights are exact to some units in the last place of the corners' heights.
-constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
-
 constexpr std::int64_t TrianglesPerTask = 64;
 
 /// Points without a patch keep negative numbers.

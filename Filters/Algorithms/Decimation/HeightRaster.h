@@ -30,6 +30,9 @@
 
 namespace SeismicHorizons
 {
+/// Interpolated heights are exact to some units in the last place of the corners' heights.
+constexpr double UnitsOfRounding = 32.0 * std::numeric_limits<double>::epsilon();
+
 struct HeightError
 {
   double Largest = 0.0;

@@ -432,7 +432,8 @@ private:
     {
       found = isEven ? this->DivideNarrow(seen) : this->FindAtSlivers(seen, corners);
     }
-    found.insert(found.end(), seen.InTheWay.begin(), seen.InTheWay.end());
+    std::copy_if(seen.InTheWay.begin(), seen.InTheWay.end(), std::back_inserter(found),
+      [this](PointId point) { return !this->IsBesidePart(point); });
     const double error = this->Result.Parameters.MaximumError;
     const bool isFiner = seen.Error < error && this->HasHolesFor(seen.Error);
     if ((found.empty() && !isFiner) || seen.Reviews == MostReviews + LastReviews)
@@ -459,6 +460,12 @@ private:
     }
     corners.insert(corners.end(), found.begin(), found.end());
     return MovedLoops{ this->Outlines, this->Dropped, std::move(corners) };
+  }
+
+  bool IsBesidePart(PointId point) const
+  {
+    return std::binary_search(this->Part.Dropped.begin(), this->Part.Dropped.end(), DroppedPoint{ point, NoPoint },
+      [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
   }
 
   /// For even meshes, points that part edges of outlines at triangles with small angles.
@@ -570,6 +577,10 @@ private:
     this->Result.OutlineDeviation = simplified.OutlineDeviation;
     this->Result.OutlineHeightDeviation = simplified.HeightDeviation;
     this->Result.NumberOutside = simplified.NumberOutside;
+    for (DroppedPoint& dropped : this->Part.Dropped)
+    {
+      dropped.Target = *simplified.Boundary.begin(0); // any point that stays
+    }
     this->Dropped.clear();
     std::merge(simplified.Dropped.begin(), simplified.Dropped.end(), this->Part.Dropped.begin(),
       this->Part.Dropped.end(), std::back_inserter(this->Dropped),

@@ -40,6 +40,9 @@ constexpr std::int64_t LeastBands = 4;
 // Triangles whose centre is so near to a cut, in rows, are made anew, but at most this fraction of a band.
 constexpr std::int32_t RowsBesideCut = 48;
 constexpr std::int32_t PartBesideCut = 4;
+// Edges that are too far from links are made anew with triangles so many columns around, then with more.
+constexpr std::int32_t LeastAround = 4;
+constexpr std::int32_t MostAround = 32;
 
 using Corners = std::array<PointId, 3>;
 
@@ -112,14 +115,45 @@ struct PartMesh
   std::unordered_map<std::uint64_t, std::vector<PointId>> Chains; // the boundary between the ends of edges of outlines
   std::unordered_set<PointId> Dropped;
   std::vector<PointId> AddedToOutlines;
+
+  /// Outlines there are simplified anew, apart from points that stay dropped.
+  void LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay)
+  {
+    for (const std::uint64_t key : edges)
+    {
+      const auto chain = this->Chains.find(key);
+      if (chain != this->Chains.end())
+      {
+        for (const PointId point : chain->second)
+        {
+          if (stay.count(point) == 0)
+          {
+            this->Dropped.erase(point);
+          }
+        }
+        this->Chains.erase(chain);
+      }
+    }
+  }
+
+  void Add(const PartMesh& other)
+  {
+    this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
+    this->Heights.insert(other.Heights.begin(), other.Heights.end());
+    this->Chains.insert(other.Chains.begin(), other.Chains.end());
+    this->Dropped.insert(other.Dropped.begin(), other.Dropped.end());
+    this->AddedToOutlines.insert(
+      this->AddedToOutlines.end(), other.AddedToOutlines.begin(), other.AddedToOutlines.end());
+  }
 };
 
 struct PartInput
 {
-  Loops Boundary;
+  std::vector<Edge> Edges; // of the boundary
+  std::vector<PointId> Alone; // loops of one point
   std::set<PointId> Fixed;
   std::map<PointId, double> Locked;
-  std::map<PointId, PointId> Dropped; // points beside edges that stay, and their targets
+  std::set<PointId> Dropped; // beside edges that stay
 };
 
 class PartedSurface
@@ -137,7 +171,8 @@ public:
     const std::int64_t bands = std::max<std::int64_t>(1, (height + rowsOfPart / 2) / rowsOfPart);
     for (std::int64_t band = 1; band < bands; ++band)
     {
-      this->Cuts.push_back({ std::int32_t(this->Box.Least.Y + band * height / bands) });
+      this->Cuts.emplace_back();
+      this->Cuts.back().Row = std::int32_t(this->Box.Least.Y + band * height / bands);
     }
     this->RowsBeside = std::min(RowsBesideCut, rowsOfPart / PartBesideCut);
     this->Edges.resize(this->Cuts.size() + 1);
@@ -295,15 +330,12 @@ private:
     {
       addCut(this->Cuts[band], false);
     }
-    input.Boundary = JoinEdges(std::move(edges));
-    for (const PointId point : this->Alone[band])
-    {
-      input.Boundary.Append(point);
-      input.Boundary.Close();
-    }
-    const PointWindow window = this->Rows.Read(first, last);
+    input.Edges = std::move(edges);
+    input.Alone = this->Alone[band];
+    PointWindow window;
+    PartMesh mesh = this->MeshPart(std::move(input), first, last, window, monitor);
     this->TakeLoopHeights(window);
-    return this->MeshPart(window, std::move(input), monitor);
+    return mesh;
   }
 
   void TakeLoopHeights(const PointWindow& window)
@@ -318,40 +350,47 @@ private:
   }
 
   // ---- A part ------------------------------------------------------------------------------------------------------
-  PartMesh MeshPart(const PointWindow& window, PartInput input, const Monitor& monitor) const
+  /// Reads the rows around the part.
+  PartMesh MeshPart(
+    PartInput input, std::int32_t firstRow, std::int32_t lastRow, PointWindow& window, const Monitor& monitor) const
   {
     PartMesh mesh;
-    if (input.Boundary.Size() == 0)
+    const auto reach = std::int32_t(std::ceil(this->Result.Parameters.OutlineTolerance)) + 1;
+    window = this->Rows.Read(firstRow - reach, lastRow + reach);
+    Loops loops = JoinEdges(input.Edges);
+    for (const PointId point : input.Alone)
+    {
+      loops.Append(point);
+      loops.Close();
+    }
+    if (loops.Size() == 0)
     {
       return mesh;
     }
     const auto inWindow = [&](PointId point) { return point - window.First; };
-    const Loops boundary = input.Boundary.RenumberedBy(inWindow);
-    std::vector<unsigned char> isIn = CoveredColumns(window.Columns, boundary, 1).Mark(window.Columns);
-    boundary.ForEachPoint([&](PointId point) { isIn[std::size_t(point)] = 1; });
-    for (const auto& [point, target] : input.Dropped)
-    {
-      isIn[std::size_t(inWindow(point))] = 1;
-    }
+    const std::vector<PointState> states = this->FindStates(window, loops.RenumberedBy(inWindow), input, reach);
     std::vector<PointId> own; // points of the horizon
-    std::vector<PointId> number(isIn.size(), NoPoint);
+    std::vector<PointId> number(states.size(), NoPoint);
     std::vector<PlanePoint> columns;
     SurfacePoints points;
-    for (std::size_t n = 0; n < isIn.size(); ++n)
+    PartOfSurface part;
+    for (std::size_t n = 0; n < states.size(); ++n)
     {
-      if (isIn[n] != 0)
+      if (states[n] != PointState::Away)
       {
         number[n] = PointId(own.size());
         own.push_back(window.First + PointId(n));
         columns.push_back(window.Columns[n]);
         points.Height.push_back(window.Height[n]);
       }
+      if (states[n] == PointState::Beside)
+      {
+        part.Dropped.push_back({ number[n], NoPoint });
+      }
     }
     points.Columns = columns;
     const auto inPart = [&](PointId point) { return number[std::size_t(inWindow(point))]; };
-    PartOfSurface part;
-    part.Boundary = input.Boundary.RenumberedBy(inPart);
-    input.Boundary.ForEachPoint(
+    loops.ForEachPoint(
       [&](PointId point)
       {
         if (this->Shared.count(point) != 0)
@@ -359,14 +398,11 @@ private:
           input.Fixed.insert(point);
         }
       });
+    part.Boundary = loops.RenumberedBy(inPart);
     std::transform(input.Fixed.begin(), input.Fixed.end(), std::back_inserter(part.Fixed), inPart);
     for (const auto& [point, height] : input.Locked)
     {
       part.Locked.push_back({ inPart(point), height });
-    }
-    for (const auto& [point, target] : input.Dropped)
-    {
-      part.Dropped.push_back({ inPart(point), inPart(target) });
     }
     const Loops exact = part.Boundary;
     const Surface made = MakePart(std::move(points), this->Options, std::move(part), monitor);
@@ -395,11 +431,76 @@ private:
       });
     for (const DroppedPoint& dropped : made.Dropped)
     {
-      mesh.Dropped.insert(own[std::size_t(dropped.Point)]);
+      if (states[std::size_t(inWindow(own[std::size_t(dropped.Point)]))] == PointState::Inside)
+      {
+        mesh.Dropped.insert(own[std::size_t(dropped.Point)]);
+      }
     }
     std::transform(made.AddedToOutlines.begin(), made.AddedToOutlines.end(), std::back_inserter(mesh.AddedToOutlines),
       [&](PointId point) { return own[std::size_t(point)]; });
     return mesh;
+  }
+
+  enum class PointState : unsigned char
+  {
+    Away,
+    Beside, // seen by outlines, and by edges that cross links to it
+    Inside
+  };
+
+  std::vector<PointState> FindStates(
+    const PointWindow& window, const Loops& loops, const PartInput& input, std::int32_t reach) const
+  {
+    const std::vector<unsigned char> isCovered = CoveredColumns(window.Columns, loops, 1).Mark(window.Columns);
+    std::vector<PointState> states(window.Columns.size(), PointState::Away);
+    const auto begin = window.Columns.begin();
+    loops.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        PlaneBox box;
+        const PlanePoint a = window.Columns[std::size_t(from)];
+        const PlanePoint b = window.Columns[std::size_t(to)];
+        box.Add(a);
+        box.Add(b);
+        const double slope = a.Y == b.Y ? 0.0 : (double(b.X) - a.X) / (double(b.Y) - a.Y);
+        for (std::int32_t row = box.Least.Y - reach; row <= box.Greatest.Y + reach; ++row)
+        {
+          const auto xAt = [&](std::int32_t y)
+          { return a.X + slope * (double(std::clamp(y, box.Least.Y, box.Greatest.Y)) - a.Y); };
+          const auto [left, right] = a.Y == b.Y
+            ? std::make_pair(double(box.Least.X), double(box.Greatest.X))
+            : std::make_pair(std::min(xAt(row - reach), xAt(row + reach)), std::max(xAt(row - reach), xAt(row + reach)));
+          const PlanePoint first{ std::int32_t(std::floor(left)) - reach, row };
+          for (auto column = std::lower_bound(begin, window.Columns.end(), first, PrecedesByRow);
+               column != window.Columns.end() && column->Y == row && column->X <= right + reach; ++column)
+          {
+            states[std::size_t(column - begin)] = PointState::Beside;
+          }
+        }
+      });
+    for (std::size_t n = 0; n < states.size(); ++n)
+    {
+      states[n] = isCovered[n] != 0 ? PointState::Inside : states[n];
+    }
+    for (const PointId point : input.Dropped)
+    {
+      states[std::size_t(point - window.First)] = PointState::Beside;
+    }
+    loops.ForEachEdge(
+      [&](PointId from, PointId to)
+      {
+        ForEachColumnBetween(window.Columns[std::size_t(from)], window.Columns[std::size_t(to)],
+          [&](const PlanePoint& between, double)
+          {
+            const auto column = std::lower_bound(begin, window.Columns.end(), between, PrecedesByRow);
+            if (column != window.Columns.end() && *column == between)
+            {
+              states[std::size_t(column - begin)] = PointState::Beside;
+            }
+          });
+      });
+    loops.ForEachPoint([&](PointId point) { states[std::size_t(point)] = PointState::Inside; });
+    return states;
   }
 
   // ---- Strips ------------------------------------------------------------------------------------------------------
@@ -414,16 +515,113 @@ private:
   /// Takes triangles from both bands.
   PartMesh MeshStrip(const Cut& cut, PartMesh& below, PartMesh& above, const Monitor& monitor) const
   {
-    std::vector<Corners> taken;
-    for (PartMesh* const band : { &below, &above })
+    PointWindow window;
+    PartMesh strip = this->Remesh({ &below, &above }, &cut,
+      [&](const Corners& corners) { return this->IsBeside(cut, corners); }, window, monitor.Step(0.0, 0.8));
+    std::vector<PlanePoint> far = this->FindFar(window, strip.Triangles, { &below, &above, &strip });
+    for (std::int32_t around = LeastAround; !far.empty() && around <= MostAround; around += LeastAround)
     {
-      const auto first = std::stable_partition(band->Triangles.begin(), band->Triangles.end(),
-        [&](const Corners& corners) { return !this->IsBeside(cut, corners); });
-      taken.insert(taken.end(), first, band->Triangles.end());
-      band->Triangles.erase(first, band->Triangles.end());
+      PartMesh mended = this->Remesh({ &below, &above, &strip }, nullptr,
+        [&](const Corners& corners) { return this->IsNear(far, corners, around); }, window, monitor.Step(0.8, 1.0));
+      strip.Add(mended);
+      far = this->FindFar(window, mended.Triangles, { &below, &above, &strip });
     }
-    const StripSides sides = this->FindSides(cut, taken, below, above);
-    PartInput input = this->MakeStrip(sides, below, above);
+    return strip;
+  }
+
+  /// Whether the box of a triangle is so near to one of the places, which ascend by rows.
+  bool IsNear(const std::vector<PlanePoint>& places, const Corners& corners, std::int32_t distance) const
+  {
+    PlaneBox box;
+    std::for_each(corners.begin(), corners.end(), [&](PointId point) { box.Add(this->At(point)); });
+    const auto first = std::lower_bound(places.begin(), places.end(), box.Least.Y - distance,
+      [](const PlanePoint& place, std::int32_t row) { return place.Y < row; });
+    return std::any_of(first, places.end(),
+      [&](const PlanePoint& place)
+      {
+        return place.Y <= box.Greatest.Y + distance && place.X >= box.Least.X - distance &&
+          place.X <= box.Greatest.X + distance;
+      });
+  }
+
+  /// Edges inside a part cannot always stay near links that leave the part. Returns their middles.
+  std::vector<PlanePoint> FindFar(
+    const PointWindow& window, const std::vector<Corners>& triangles, const std::vector<const PartMesh*>& meshes) const
+  {
+    std::vector<PlanePoint> far;
+    const double bound = MaximumCrossingError(this->Options.MaximumError, this->Options.Crossings);
+    if (triangles.empty() || bound == std::numeric_limits<double>::infinity())
+    {
+      return far;
+    }
+    const auto isDropped = [&](std::int64_t n)
+    {
+      return std::any_of(meshes.begin(), meshes.end(),
+        [&](const PartMesh* mesh) { return mesh->Dropped.count(window.First + PointId(n)) > 0; });
+    };
+    const HeightRaster raster(std::int64_t(window.Columns.size()),
+      [&](std::int64_t n) { return isDropped(n) ? NoPoint : PointId(n); }, window.Columns, window.Height.data(),
+      this->Options.Cuts);
+    const double rounding =
+      UnitsOfRounding * std::max(std::abs(raster.LowestHeight()), std::abs(raster.HighestHeight()));
+    std::unordered_set<std::uint64_t> edges;
+    const PartMesh& made = *meshes.back();
+    for (const Corners& corners : triangles)
+    {
+      for (std::size_t n = 0; n < 3; ++n)
+      {
+        const PointId from = corners[n];
+        const PointId to = corners[(n + 1) % 3];
+        edges.insert(KeyOf(from, to));
+        if (edges.count(KeyOf(to, from)) > 0)
+        {
+          const RaisedPoint start{ this->At(from), made.Heights.at(from) };
+          const RaisedPoint end{ this->At(to), made.Heights.at(to) };
+          if (raster.MeasureCrossings(start, end).Inside > bound + rounding)
+          {
+            far.push_back({ (start.Column.X + end.Column.X) / 2, (start.Column.Y + end.Column.Y) / 2 });
+          }
+        }
+      }
+    }
+    std::sort(far.begin(), far.end(), PrecedesByRow);
+    return far;
+  }
+
+  /// Takes the triangles that are chosen, and meshes their area anew. Edges along an open cut go.
+  template <typename IsChosen>
+  PartMesh Remesh(const std::vector<PartMesh*>& meshes, const Cut* cut, IsChosen&& isChosen, PointWindow& window,
+    const Monitor& monitor) const
+  {
+    std::vector<Corners> taken;
+    for (PartMesh* const mesh : meshes)
+    {
+      const auto first = std::stable_partition(mesh->Triangles.begin(), mesh->Triangles.end(),
+        [&](const Corners& corners) { return !isChosen(corners); });
+      taken.insert(taken.end(), first, mesh->Triangles.end());
+      mesh->Triangles.erase(first, mesh->Triangles.end());
+    }
+    const StripSides sides = this->FindSides(cut, taken, meshes);
+    PartInput input = this->MakeStrip(sides, meshes);
+    for (PartMesh* const mesh : meshes)
+    {
+      mesh->LetGo(sides.Outer, input.Dropped);
+    }
+    if (cut)
+    {
+      for (PartMesh* const mesh : meshes)
+      {
+        for (auto chain = mesh->Chains.begin(); chain != mesh->Chains.end();)
+        {
+          const bool isGone = cut->IsOpen(this->At(chain->second.front()), this->At(chain->second.back()));
+          chain = isGone ? mesh->Chains.erase(chain) : std::next(chain);
+        }
+      }
+    }
+    if (taken.empty())
+    {
+      return {};
+    }
     std::int32_t first = std::numeric_limits<std::int32_t>::max();
     std::int32_t last = std::numeric_limits<std::int32_t>::min();
     const auto addRow = [&](PointId point)
@@ -431,30 +629,14 @@ private:
       first = std::min(first, this->At(point).Y);
       last = std::max(last, this->At(point).Y);
     };
-    input.Boundary.ForEachPoint(addRow);
-    for (const auto& [point, target] : input.Dropped)
-    {
-      addRow(point);
-    }
-    for (PartMesh* const band : { &below, &above })
-    {
-      for (auto chain = band->Chains.begin(); chain != band->Chains.end();)
-      {
-        const bool isGone = cut.IsOpen(this->At(chain->second.front()), this->At(chain->second.back())) ||
-          std::binary_search(sides.Outer.begin(), sides.Outer.end(), chain->first);
-        chain = isGone ? band->Chains.erase(chain) : std::next(chain);
-      }
-    }
-    if (taken.empty())
-    {
-      return {};
-    }
-    PartMesh strip = this->MeshPart(this->Rows.Read(first, last), std::move(input), monitor);
+    std::for_each(input.Edges.begin(), input.Edges.end(), [&](const Edge& edge) { addRow(edge.From); });
+    std::for_each(input.Dropped.begin(), input.Dropped.end(), addRow);
+    PartMesh made = this->MeshPart(std::move(input), first, last, window, monitor);
     for (const std::uint64_t key : sides.Inner)
     {
-      strip.Chains.erase(key);
+      made.Chains.erase(key);
     }
-    return strip;
+    return made;
   }
 
   /// Keys of edges of the loops around a strip, ascending.
@@ -465,7 +647,7 @@ private:
   };
 
   StripSides FindSides(
-    const Cut& cut, const std::vector<Corners>& triangles, const PartMesh& below, const PartMesh& above) const
+    const Cut* cut, const std::vector<Corners>& triangles, const std::vector<PartMesh*>& meshes) const
   {
     std::vector<std::uint64_t> edges;
     for (const Corners& corners : triangles)
@@ -481,29 +663,32 @@ private:
     {
       const PointId from = FromOf(key);
       const PointId to = ToOf(key);
-      if (std::binary_search(edges.begin(), edges.end(), KeyOf(to, from)) || cut.IsOpen(this->At(from), this->At(to)))
+      if (std::binary_search(edges.begin(), edges.end(), KeyOf(to, from)) ||
+        (cut && cut->IsOpen(this->At(from), this->At(to))))
       {
         continue;
       }
-      const bool isOuter = below.Chains.count(key) + above.Chains.count(key) > 0;
+      const bool isOuter = std::any_of(
+        meshes.begin(), meshes.end(), [key](const PartMesh* mesh) { return mesh->Chains.count(key) > 0; });
       (isOuter ? sides.Outer : sides.Inner).push_back(key);
     }
     return sides;
   }
 
   /// Outlines are simplified anew, unless the boundary there crosses edges that stay.
-  PartInput MakeStrip(const StripSides& sides, const PartMesh& below, const PartMesh& above) const
+  PartInput MakeStrip(const StripSides& sides, const std::vector<PartMesh*>& meshes) const
   {
     PartInput input;
-    std::vector<Edge> edges;
+    std::vector<Edge>& edges = input.Edges;
     std::map<std::int32_t, std::vector<std::uint64_t>> byRow;
     const auto lock = [&](std::uint64_t key)
     {
       for (const PointId end : { FromOf(key), ToOf(key) })
       {
-        const auto found = below.Heights.find(end);
+        const auto mesh = std::find_if(
+          meshes.begin(), meshes.end(), [end](const PartMesh* one) { return one->Heights.count(end) > 0; });
         input.Fixed.insert(end);
-        input.Locked.emplace(end, found != below.Heights.end() ? found->second : above.Heights.at(end));
+        input.Locked.emplace(end, (*mesh)->Heights.at(end));
       }
       edges.push_back({ FromOf(key), ToOf(key) });
     };
@@ -518,16 +703,17 @@ private:
     }
     for (const std::uint64_t key : sides.Outer)
     {
-      const PartMesh& band = below.Chains.count(key) > 0 ? below : above;
-      const std::vector<PointId>& chain = band.Chains.at(key);
+      const PartMesh& mesh = **std::find_if(
+        meshes.begin(), meshes.end(), [key](const PartMesh* one) { return one->Chains.count(key) > 0; });
+      const std::vector<PointId>& chain = mesh.Chains.at(key);
       if (this->Crosses(chain, byRow))
       {
         lock(key);
         for (std::size_t n = 1; n + 1 < chain.size(); ++n)
         {
-          if (band.Dropped.count(chain[n]) > 0)
+          if (mesh.Dropped.count(chain[n]) > 0)
           {
-            input.Dropped.emplace(chain[n], chain.front());
+            input.Dropped.insert(chain[n]);
           }
         }
         continue;
@@ -537,7 +723,6 @@ private:
         edges.push_back({ chain[n - 1], chain[n] });
       }
     }
-    input.Boundary = JoinEdges(std::move(edges));
     return input;
   }
 
