@@ -28,6 +28,7 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double SpannedShare = 0.95; // along either axis
+constexpr std::int32_t NoRow = std::numeric_limits<std::int32_t>::max();
 
 std::vector<PlanePoint> SortByRows(PlanePoints columns, const PlaneBox& box)
 {
@@ -59,24 +60,9 @@ GapHistograms Count(PlanePoints columns)
     sorted = SortByRows(columns, box);
     columns = sorted;
   }
-  GapHistograms steps;
-  constexpr auto None = std::numeric_limits<std::int32_t>::max();
-  std::vector<std::int32_t> rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), None); // by x
-  for (std::size_t n = 0; n < columns.size(); ++n)
-  {
-    const PlanePoint& column = columns[n];
-    if (n > 0 && columns[n - 1].Y == column.Y)
-    {
-      ++steps.AlongRows[std::min(column.X - columns[n - 1].X, LargestRadius + 1)];
-    }
-    std::int32_t& row = rows[column.X - box.Least.X];
-    if (row < column.Y)
-    {
-      ++steps.AlongColumns[std::min(column.Y - row, LargestRadius + 1)];
-    }
-    row = column.Y;
-  }
-  return steps;
+  GapCounter gaps(box);
+  gaps.Add(columns);
+  return gaps.Counted();
 }
 
 int LeastSpanning(const GapHistogram& steps)
@@ -103,9 +89,42 @@ GapHistograms CountGaps(PlanePoints columns)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+GapCounter::GapCounter(const PlaneBox& box)
+  : Last(NoColumn)
+  , FirstX(box.Least.X)
+  , Rows(std::size_t(std::int64_t(box.Greatest.X) - box.Least.X + 1), NoRow)
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void GapCounter::Add(PlanePoints columns)
+{
+  for (const PlanePoint& column : columns)
+  {
+    std::int32_t& row = this->Rows[std::size_t(column.X - this->FirstX)];
+    if (this->IsAny && this->Last.Y == column.Y)
+    {
+      ++this->Gaps.AlongRows[std::min(column.X - this->Last.X, LargestRadius + 1)];
+    }
+    if (row < column.Y)
+    {
+      ++this->Gaps.AlongColumns[std::min(column.Y - row, LargestRadius + 1)];
+    }
+    row = column.Y;
+    this->Last = column;
+    this->IsAny = true;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 int ChooseRadius(PlanePoints columns)
 {
-  const GapHistograms gaps = CountGaps(columns);
+  return ChooseRadius(CountGaps(columns));
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+int ChooseRadius(const GapHistograms& gaps)
+{
   return std::max(LeastSpanning(gaps.AlongRows), LeastSpanning(gaps.AlongColumns));
 }
 
@@ -346,12 +365,9 @@ public:
 
   int Radius() const { return this->Result.Parameters.Radius; }
 
-  /// Finds the boundary alone.
   Surface RunInParts(std::int32_t rowsOfPart, const Monitor& monitor)
   {
-    this->Result.Parameters.MaximumError = this->Options.MaximumError;
-    this->Result.Parameters.OutlineTolerance = this->ToleranceFor(this->Options.MaximumError);
-    this->Result.Parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(this->Options.MaximumError);
+    this->SetParameters(this->Options.MaximumError);
     this->FindBoundary(monitor.Step(0.0, 0.1));
     if (!this->Result.Kept.empty())
     {
@@ -559,14 +575,11 @@ private:
 
   void Simplify(double error, const Monitor& monitor)
   {
-    SurfaceParameters& parameters = this->Result.Parameters;
-    if (parameters.MaximumError != error)
+    if (this->Result.Parameters.MaximumError != error)
     {
       this->KnownChains.clear();
     }
-    parameters.MaximumError = error;
-    parameters.OutlineTolerance = this->ToleranceFor(error);
-    parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(error);
+    this->SetParameters(error);
     this->FindBoundary(monitor.Step(0.0, 0.5));
     if (this->Result.Kept.empty())
     {
@@ -586,6 +599,14 @@ private:
       this->Part.Dropped.end(), std::back_inserter(this->Dropped),
       [](const DroppedPoint& a, const DroppedPoint& b) { return a.Point < b.Point; });
     this->Outlines = std::move(simplified.Boundary);
+  }
+
+  void SetParameters(double error)
+  {
+    SurfaceParameters& parameters = this->Result.Parameters;
+    parameters.MaximumError = error;
+    parameters.OutlineTolerance = this->ToleranceFor(error);
+    parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(error);
   }
 
   double ToleranceFor(double error) const
@@ -728,6 +749,20 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
   const std::int64_t span = 2 * std::int64_t(std::min(radius, LargestRadius)) + 1; // larger radii are refused
   const std::int64_t side = std::max(span, std::int64_t(narrow));
   return side * side;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfaceParameters ParametersWithin(const SurfaceOptions& options)
+{
+  const double error = options.MaximumError;
+  SurfaceParameters parameters;
+  parameters.Radius = *options.Radius;
+  parameters.MaximumError = error;
+  parameters.OutlineTolerance = options.OutlineTolerance.value_or(ToleranceOfOutlines(error));
+  parameters.DistanceThreshold = options.DistanceThreshold.value_or(error);
+  parameters.SmallestHoleSize =
+    options.SmallestHoleSize.value_or(ChooseSmallestHoleSize(parameters.Radius, parameters.OutlineTolerance));
+  return parameters;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

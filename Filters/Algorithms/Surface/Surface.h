@@ -16,7 +16,9 @@
 
 #include "Common/Base/Errors.h"
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/KeptPoints.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Types.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
@@ -131,9 +133,29 @@ struct GapHistograms
 
 GapHistograms CountGaps(PlanePoints columns);
 
+/// Counts the gaps of columns that are added row by row.
+class GapCounter
+{
+public:
+  explicit GapCounter(const PlaneBox& box);
+  void Add(PlanePoints columns);
+  const GapHistograms& Counted() const { return this->Gaps; }
+
+private:
+  GapHistograms Gaps;
+  bool IsAny = false;
+  PlanePoint Last;
+  std::int32_t FirstX;
+  std::vector<std::int32_t> Rows; // by x, of the last column there
+};
+
 /// Returns the least radius that spans 95 % of the steps along both axes. Full horizons have 99 % single steps, lines
 /// at every n-th column none below n; a radius for the last steps would bridge holes and bays.
+int ChooseRadius(const GapHistograms& gaps);
 int ChooseRadius(PlanePoints columns);
+
+/// For an error as the target, and a given radius.
+SurfaceParameters ParametersWithin(const SurfaceOptions& options);
 
 // The number of triangles falls about as the error to the power of -1.5, a line in logarithms. The search follows it
 // until errors on both sides of the number are known, then takes secants.

@@ -6,6 +6,7 @@
 #include "SurfaceParts.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/CoveredColumns.h"
 #include "Common/Horizon/EdgeLoops.h"
 #include "Common/Horizon/MeshChecker.h"
@@ -21,8 +22,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -36,7 +39,7 @@ namespace
 // A band has about so many columns: much fewer take more time at cuts, more take memory.
 constexpr std::int64_t ColumnsOfBand = std::int64_t(1) << 21;
 constexpr std::int64_t LeastRows = 64;
-constexpr std::int64_t LeastBands = 4;
+constexpr std::int64_t LeastBands = 2;
 // Triangles whose centre is so near to a cut, in rows, are made anew, but at most this fraction of a band.
 constexpr std::int32_t RowsBesideCut = 48;
 constexpr std::int32_t PartBesideCut = 4;
@@ -45,6 +48,12 @@ constexpr std::int32_t LeastAround = 4;
 constexpr std::int32_t MostAround = 32;
 
 using Corners = std::array<PointId, 3>;
+
+std::int32_t RowsOfBand(const PlaneBox& box)
+{
+  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
+  return std::int32_t(std::max(LeastRows, (ColumnsOfBand + width - 1) / width));
+}
 
 std::uint64_t KeyOf(PointId from, PointId to)
 {
@@ -1051,10 +1060,9 @@ std::int32_t RowsOfPart(const PlaneBox& box, const SurfaceOptions& options, int 
   {
     return options.RowsOfPart;
   }
-  const std::int64_t width = std::int64_t(box.Greatest.X) - box.Least.X + 1;
   const std::int64_t height = std::int64_t(box.Greatest.Y) - box.Least.Y + 1;
-  const std::int64_t rows = std::max(LeastRows, (ColumnsOfBand + width - 1) / width);
-  return height >= LeastBands * rows ? std::int32_t(rows) : 0;
+  const std::int32_t rows = RowsOfBand(box);
+  return height >= LeastBands * rows ? rows : 0;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -1067,5 +1075,155 @@ void MakeInParts(const PointRows& rows, std::int32_t rowsOfPart, const SurfaceOp
     all.insert(all.end(), targets.begin(), targets.end());
   };
   PartedSurface(rows, rowsOfPart, options, surface).Run(take ? take : fill, monitor);
+}
+
+namespace
+{
+/// Calls visit(columns, heights) for blocks of rows.
+template <typename Visitor>
+void ForEachBlock(const RowReader& rows, const Monitor& monitor, Visitor&& visit)
+{
+  const PlaneBox box = rows.Box();
+  const std::int32_t step = RowsOfBand(box);
+  for (std::int64_t row = box.Least.Y; row <= box.Greatest.Y; row += step)
+  {
+    monitor.Progress(double(row - box.Least.Y) / (double(box.Greatest.Y) - box.Least.Y + 1.0));
+    std::vector<PlanePoint> columns;
+    std::vector<double> height;
+    rows.Read(std::int32_t(row), std::int32_t(std::min<std::int64_t>(row + step - 1, box.Greatest.Y)), columns, height);
+    visit(columns, height);
+  }
+}
+
+class IndexedRows : public PointRows
+{
+public:
+  IndexedRows(const RowReader& rows, const ColumnIndex& index)
+    : Rows(rows)
+    , Index(index)
+    , Area(rows.Box())
+  {
+  }
+
+  PlaneBox Box() const override { return this->Area; }
+  PlanePoint ColumnOf(PointId point) const override { return this->Index.ColumnOf(point); }
+
+  PointId FirstOf(std::int32_t row) const override
+  {
+    return row > this->Area.Greatest.Y
+      ? PointId(this->Index.NumberOfPoints())
+      : PointId(this->Index.Rank(this->Index.Place({ this->Area.Least.X, std::max(row, this->Area.Least.Y) })));
+  }
+
+  PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const override
+  {
+    PointWindow window;
+    window.First = this->FirstOf(firstRow);
+    this->Rows.Read(std::max(firstRow, this->Area.Least.Y), std::min(lastRow, this->Area.Greatest.Y), window.Columns,
+      window.Height);
+    if (window.Columns.size() != std::size_t(this->FirstOf(lastRow + 1) - window.First))
+    {
+      throw InputError(std::to_string(window.Columns.size()) + " points in rows " + std::to_string(firstRow) + " to " +
+        std::to_string(lastRow) + ", expected the " + std::to_string(this->FirstOf(lastRow + 1) - window.First) +
+        " that were there before: the file has changed");
+    }
+    return window;
+  }
+
+private:
+  const RowReader& Rows;
+  const ColumnIndex& Index;
+  const PlaneBox Area;
+};
+
+/// Makes the surface of all points.
+RowSurface MakeAtOnce(
+  const RowReader& rows, const SurfaceOptions& options, const TakeTargets& take, const Monitor& monitor)
+{
+  std::vector<PlanePoint> columns;
+  std::vector<double> height;
+  rows.Read(rows.Box().Least.Y, rows.Box().Greatest.Y, columns, height);
+  RowSurface result;
+  Surface& made = result.Made;
+  made = MakeSurface({ columns, std::move(height) }, options, monitor);
+  std::vector<PointId> targets(columns.size(), NoPoint);
+  result.Patches = PatchSpans(columns.size());
+  std::vector<std::int32_t> patches(columns.size(), NoPatch);
+  for (std::size_t n = 0; n < made.Kept.size(); ++n)
+  {
+    const auto point = std::size_t(made.Kept[n]);
+    patches[point] = made.Boundary.Patch[n];
+    targets[point] = made.Mesh.Points.Target[n];
+  }
+  for (std::size_t point = 0; point < patches.size(); ++point)
+  {
+    result.Patches.Append(PointId(point), patches[point]);
+  }
+  const auto numberOf = [&](PointId point) { return made.Kept[std::size_t(point)]; };
+  made.Boundary.Boundary = made.Boundary.Boundary.RenumberedBy(numberOf);
+  for (std::vector<PointId>* const points : { &made.Mesh.Points.Source, &made.AddedToOutlines })
+  {
+    std::transform(points->begin(), points->end(), points->begin(), numberOf);
+  }
+  result.DroppedPoints = std::int64_t(columns.size() - made.Kept.size());
+  made.Boundary.Patch.clear();
+  made.Mesh.Points.Target.clear();
+  made.Dropped.clear();
+  made.Kept = KeptPoints();
+  take(0, targets);
+  return result;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& given, std::int64_t mostAtOnce,
+  const TakeTargets& take, const Monitor& monitor)
+{
+  RowSurface result;
+  const PlaneBox box = rows.Box();
+  if (box.IsEmpty())
+  {
+    return result;
+  }
+  SurfaceOptions options = given;
+  constexpr int rim = 2;
+  GapCounter gaps(box);
+  const ColumnIndex index(box, rim,
+    [&](auto&& add)
+    {
+      ForEachBlock(rows, monitor.Step(0.0, 0.2),
+        [&](const std::vector<PlanePoint>& columns, const std::vector<double>&)
+        {
+          gaps.Add(columns);
+          std::for_each(columns.begin(), columns.end(), add);
+        });
+    });
+  options.Radius = options.Radius ? *options.Radius : ChooseRadius(gaps.Counted());
+  const std::int32_t rowsOfPart = RowsOfPart(box, options, *options.Radius);
+  const auto points = std::int64_t(index.NumberOfPoints());
+  if (rowsOfPart == 0)
+  {
+    if (points > mostAtOnce)
+    {
+      throw InputError(std::to_string(points) + " points to be meshed at once (with a radius above 1, another effort than "
+        "Best, a number of triangles, or an edge length), expected at most " + std::to_string(mostAtOnce));
+    }
+    return MakeAtOnce(rows, options, take, monitor.Step(0.2, 1.0));
+  }
+  Surface& made = result.Made;
+  made.Parameters = ParametersWithin(options);
+  BoundaryOptions ofBoundary;
+  ofBoundary.Growth = options.Growth;
+  ofBoundary.KeepHoles = options.KeepHoles;
+  ofBoundary.MinimumPatchSize = options.MinimumPatchSize;
+  ofBoundary.SmallestHoleSize = made.Parameters.SmallestHoleSize;
+  RowBoundary boundary = FindExteriorBoundary(index, ofBoundary, monitor.Step(0.2, 0.25));
+  made.Boundary.Boundary = std::move(boundary.Boundary);
+  made.Boundary.NumberOfPatches = boundary.NumberOfPatches;
+  result.Patches = std::move(boundary.Patches);
+  result.DroppedPoints =
+    std::accumulate(boundary.PatchSizes.begin(), boundary.PatchSizes.end(), points, std::minus<>());
+  MakeInParts(IndexedRows(rows, index), rowsOfPart, options, made, monitor.Step(0.25, 1.0), take);
+  return result;
 }
 }

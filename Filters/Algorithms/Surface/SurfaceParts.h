@@ -17,6 +17,7 @@
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Types.h"
+#include "Filters/Algorithms/Boundary/PatchSpans.h"
 #include "Surface.h"
 
 #include <cstdint>
@@ -62,6 +63,18 @@ private:
   const PlaneBox Area;
 };
 
+/// The points of a horizon that is not in memory.
+class RowReader
+{
+public:
+  virtual ~RowReader() = default;
+  /// Of all points; empty without any.
+  virtual PlaneBox Box() const = 0;
+  /// Adds the points of these rows, which may lie beyond the box, row by row.
+  virtual void Read(std::int32_t firstRow, std::int32_t lastRow, std::vector<PlanePoint>& columns,
+    std::vector<double>& height) const = 0;
+};
+
 /// Returns 0 for horizons that are meshed at once: small ones, those with a radius above 1, and meshes that are not
 /// improved within an error.
 std::int32_t RowsOfPart(const PlaneBox& box, const SurfaceOptions& options, int radius);
@@ -72,6 +85,20 @@ using TakeTargets = std::function<void(PointId first, const std::vector<PointId>
 /// Fills the mesh and the figures of a surface with a boundary. Its targets are filled unless others take them.
 void MakeInParts(const PointRows& rows, std::int32_t rowsOfPart, const SurfaceOptions& options, Surface& surface,
   const Monitor& monitor, const TakeTargets& take = {});
+
+/// A surface without arrays by point.
+struct RowSurface
+{
+  /// Sources are numbers of points row by row. Boundary.Patch, Kept, Dropped and targets are empty.
+  Surface Made;
+  PatchSpans Patches;
+  std::int64_t DroppedPoints = 0; // of patches below the minimum size
+};
+
+/// The same surface as of the points in memory. Reads all rows three times, or once for horizons that are meshed at once;
+/// throws InputError if these have more points than `mostAtOnce`. There must be no cuts.
+RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& options, std::int64_t mostAtOnce,
+  const TakeTargets& take, const Monitor& monitor = Monitor());
 }
 
 #endif
