@@ -148,7 +148,10 @@ struct PartMesh
   void Add(const PartMesh& other)
   {
     this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
-    this->Heights.insert(other.Heights.begin(), other.Heights.end());
+    for (const auto& [point, height] : other.Heights)
+    {
+      this->Heights[point] = height;
+    }
     this->Chains.insert(other.Chains.begin(), other.Chains.end());
     this->Dropped.insert(other.Dropped.begin(), other.Dropped.end());
     this->AddedToOutlines.insert(
@@ -202,9 +205,8 @@ public:
       PartMesh now = this->MeshBand(band, monitor.Step(progress(0.0), progress(0.8)));
       if (band > 0)
       {
-        PartMesh strip = this->MeshStrip(this->Cuts[band - 1], before, now, monitor.Step(progress(0.8), progress(1.0)));
+        this->MeshStrip(band - 1, before, now, monitor.Step(progress(0.8), progress(1.0)));
         this->Finish(before);
-        this->Finish(strip);
       }
       before = std::move(now);
     }
@@ -513,29 +515,55 @@ private:
   }
 
   // ---- Strips ------------------------------------------------------------------------------------------------------
-  bool IsBeside(const Cut& cut, const Corners& corners) const
+  /// Triangles along the next cut wait for it.
+  bool MayGo(std::size_t number, const Corners& corners) const
   {
+    if (number + 1 == this->Cuts.size())
+    {
+      return true;
+    }
+    const Cut& cut = this->Cuts[number + 1];
     const std::array<PlanePoint, 3> places = { this->At(corners[0]), this->At(corners[1]), this->At(corners[2]) };
-    const std::int64_t sum = std::int64_t(places[0].Y) + places[1].Y + places[2].Y;
-    return std::abs(sum - 3 * std::int64_t(cut.Row)) <= 3 * std::int64_t(this->RowsBeside) ||
-      cut.IsOpen(places[0], places[1]) || cut.IsOpen(places[1], places[2]) || cut.IsOpen(places[2], places[0]);
+    return !cut.IsOpen(places[0], places[1]) && !cut.IsOpen(places[1], places[2]) && !cut.IsOpen(places[2], places[0]);
   }
 
-  /// Takes triangles from both bands.
-  PartMesh MeshStrip(const Cut& cut, PartMesh& below, PartMesh& above, const Monitor& monitor) const
+  /// Edges in the rows beside a cut may be far from links to its points, which bands drop.
+  bool IsBeside(std::size_t number, const Corners& corners) const
   {
-    PointWindow window;
-    PartMesh strip = this->Remesh({ &below, &above }, &cut,
-      [&](const Corners& corners) { return this->IsBeside(cut, corners); }, window, monitor.Step(0.0, 0.8));
-    std::vector<PlanePoint> far = this->FindFar(window, strip.Triangles, { &below, &above, &strip });
-    for (std::int32_t around = LeastAround; !far.empty() && around <= MostAround; around += LeastAround)
+    const Cut& cut = this->Cuts[number];
+    std::int64_t sum = 0;
+    bool isNext = false;
+    for (const PointId corner : corners)
     {
-      PartMesh mended = this->Remesh({ &below, &above, &strip }, nullptr,
-        [&](const Corners& corners) { return this->IsNear(far, corners, around); }, window, monitor.Step(0.8, 1.0));
-      strip.Add(mended);
-      far = this->FindFar(window, mended.Triangles, { &below, &above, &strip });
+      const std::int64_t rows = std::int64_t(this->At(corner).Y) - cut.Row;
+      sum += rows;
+      isNext = isNext || std::abs(rows) <= 1;
     }
-    return strip;
+    return this->MayGo(number, corners) && (isNext || std::abs(sum) <= 3 * std::int64_t(this->RowsBeside));
+  }
+
+  /// Takes triangles from both bands, and adds the strip to the second one.
+  void MeshStrip(std::size_t number, PartMesh& below, PartMesh& above, const Monitor& monitor)
+  {
+    const std::vector<PartMesh*> meshes = { &below, &above };
+    PointWindow window;
+    PartMesh made = this->Remesh(
+      meshes, &this->Cuts[number], [&](const Corners& corners) { return this->IsBeside(number, corners); }, window,
+      monitor.Step(0.0, 0.8));
+    for (std::int32_t around = LeastAround;; around += LeastAround)
+    {
+      this->AddFar(window, made, meshes);
+      above.Add(made);
+      if (this->Far.empty() || around > MostAround)
+      {
+        return; // The next strip tries what is left.
+      }
+      const std::vector<PlanePoint> far = std::exchange(this->Far, std::vector<PlanePoint>());
+      made = this->Remesh(
+        meshes, nullptr,
+        [&](const Corners& corners) { return this->MayGo(number, corners) && this->IsNear(far, corners, around); },
+        window, monitor.Step(0.8, 1.0));
+    }
   }
 
   /// Whether the box of a triangle is so near to one of the places, which ascend by rows.
@@ -553,20 +581,20 @@ private:
       });
   }
 
-  /// Edges inside a part cannot always stay near links that leave the part. Returns their middles.
-  std::vector<PlanePoint> FindFar(
-    const PointWindow& window, const std::vector<Corners>& triangles, const std::vector<const PartMesh*>& meshes) const
+  /// Edges inside a part cannot always stay near links that leave the part.
+  void AddFar(const PointWindow& window, const PartMesh& made, const std::vector<PartMesh*>& others)
   {
-    std::vector<PlanePoint> far;
     const double bound = MaximumCrossingError(this->Options.MaximumError, this->Options.Crossings);
-    if (triangles.empty() || bound == std::numeric_limits<double>::infinity())
+    if (made.Triangles.empty() || bound == std::numeric_limits<double>::infinity())
     {
-      return far;
+      return;
     }
     const auto isDropped = [&](std::int64_t n)
     {
-      return std::any_of(meshes.begin(), meshes.end(),
-        [&](const PartMesh* mesh) { return mesh->Dropped.count(window.First + PointId(n)) > 0; });
+      const PointId point = window.First + PointId(n);
+      return made.Dropped.count(point) > 0 ||
+        std::any_of(
+          others.begin(), others.end(), [&](const PartMesh* mesh) { return mesh->Dropped.count(point) > 0; });
     };
     const HeightRaster raster(std::int64_t(window.Columns.size()),
       [&](std::int64_t n) { return isDropped(n) ? NoPoint : PointId(n); }, window.Columns, window.Height.data(),
@@ -574,8 +602,7 @@ private:
     const double rounding =
       UnitsOfRounding * std::max(std::abs(raster.LowestHeight()), std::abs(raster.HighestHeight()));
     std::unordered_set<std::uint64_t> edges;
-    const PartMesh& made = *meshes.back();
-    for (const Corners& corners : triangles)
+    for (const Corners& corners : made.Triangles)
     {
       for (std::size_t n = 0; n < 3; ++n)
       {
@@ -588,13 +615,12 @@ private:
           const RaisedPoint end{ this->At(to), made.Heights.at(to) };
           if (raster.MeasureCrossings(start, end).Inside > bound + rounding)
           {
-            far.push_back({ (start.Column.X + end.Column.X) / 2, (start.Column.Y + end.Column.Y) / 2 });
+            this->Far.push_back({ (start.Column.X + end.Column.X) / 2, (start.Column.Y + end.Column.Y) / 2 });
           }
         }
       }
     }
-    std::sort(far.begin(), far.end(), PrecedesByRow);
-    return far;
+    std::sort(this->Far.begin(), this->Far.end(), PrecedesByRow);
   }
 
   /// Takes the triangles that are chosen, and meshes their area anew. Edges along an open cut go.
@@ -694,8 +720,8 @@ private:
     {
       for (const PointId end : { FromOf(key), ToOf(key) })
       {
-        const auto mesh = std::find_if(
-          meshes.begin(), meshes.end(), [end](const PartMesh* one) { return one->Heights.count(end) > 0; });
+        const auto mesh = std::find_if( // the last one knows what has changed
+          meshes.rbegin(), meshes.rend(), [end](const PartMesh* one) { return one->Heights.count(end) > 0; });
         input.Fixed.insert(end);
         input.Locked.emplace(end, (*mesh)->Heights.at(end));
       }
@@ -704,8 +730,9 @@ private:
     for (const std::uint64_t key : sides.Inner)
     {
       lock(key);
-      const auto [low, high] = std::minmax(this->At(FromOf(key)).Y, this->At(ToOf(key)).Y);
-      for (std::int32_t row = low; row <= high; ++row)
+      const std::int32_t from = this->At(FromOf(key)).Y;
+      const std::int32_t to = this->At(ToOf(key)).Y;
+      for (std::int32_t row = std::min(from, to); row <= std::max(from, to); ++row)
       {
         byRow[row].push_back(key);
       }
@@ -715,7 +742,7 @@ private:
       const PartMesh& mesh = **std::find_if(
         meshes.begin(), meshes.end(), [key](const PartMesh* one) { return one->Chains.count(key) > 0; });
       const std::vector<PointId>& chain = mesh.Chains.at(key);
-      if (this->Crosses(chain, byRow))
+      if (this->Crosses(chain, input.Fixed, byRow))
       {
         lock(key);
         for (std::size_t n = 1; n + 1 < chain.size(); ++n)
@@ -735,12 +762,17 @@ private:
     return input;
   }
 
-  bool Crosses(const std::vector<PointId>& chain, const std::map<std::int32_t, std::vector<std::uint64_t>>& byRow) const
+  bool Crosses(const std::vector<PointId>& chain, const std::set<PointId>& stay,
+    const std::map<std::int32_t, std::vector<std::uint64_t>>& byRow) const
   {
     for (std::size_t n = 1; n < chain.size(); ++n)
     {
       const PlanePoint a = this->At(chain[n - 1]);
       const PlanePoint b = this->At(chain[n]);
+      if (n + 1 < chain.size() && stay.count(chain[n]) > 0)
+      {
+        return true;
+      }
       for (std::int32_t row = std::min(a.Y, b.Y); row <= std::max(a.Y, b.Y); ++row)
       {
         const auto edges = byRow.find(row);
@@ -1010,6 +1042,7 @@ private:
   std::unordered_set<PointId> Shared; // stay on outlines
   std::vector<PointId> LoopPoints; // ascending
   std::vector<double> LoopHeights;
+  std::vector<PlanePoint> Far; // middles of edges that are too far from links, ascending by rows
   std::vector<Piece> Pieces;
   std::vector<Corners> Triangles;
   std::vector<std::pair<PointId, double>> Vertices; // ascending, with heights

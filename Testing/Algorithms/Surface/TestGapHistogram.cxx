@@ -98,11 +98,11 @@ void TestHolesAndOutlines()
 
 void TestFewPoints()
 {
-  CHECK_EQUAL(ChooseRadius({}), 1);
-  CHECK_EQUAL(ChooseRadius({ { 7, 7 } }), 1);
-  CHECK_EQUAL(ChooseRadius({ { 7, 7 }, { 8, 8 } }), 1); // no two in a row
-  CHECK_EQUAL(ChooseRadius({ { 7, 7 }, { 7, 11 } }), 4);
-  CHECK_EQUAL(ChooseRadius({ { -100000000, 7 }, { 100000000, 7 } }), LargestRadius);
+  CHECK_EQUAL(ChooseRadius(PlanePoints{}), 1);
+  CHECK_EQUAL(ChooseRadius(PlanePoints{ { 7, 7 } }), 1);
+  CHECK_EQUAL(ChooseRadius(PlanePoints{ { 7, 7 }, { 8, 8 } }), 1); // no two in a row
+  CHECK_EQUAL(ChooseRadius(PlanePoints{ { 7, 7 }, { 7, 11 } }), 4);
+  CHECK_EQUAL(ChooseRadius(PlanePoints{ { -100000000, 7 }, { 100000000, 7 } }), LargestRadius);
 }
 
 void TestOrderDoesNotMatter()
