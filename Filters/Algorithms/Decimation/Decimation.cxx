@@ -49,12 +49,15 @@ public:
   {
   }
 
-  Decimation Run(const Monitor& monitor)
+  Decimation Run(bool isMeasured, const Monitor& monitor)
   {
     this->WritePoints();
     this->WriteTriangles();
-    this->Measure(monitor);
-    this->CheckAllAssigned();
+    if (isMeasured)
+    {
+      this->Measure(monitor);
+      this->CheckAllAssigned();
+    }
     return std::move(this->Result);
   }
 
@@ -394,7 +397,7 @@ Decimation Run(
     return Run(mesh.TakeHorizon(), fast, monitor.Step(0.9, 1.0), review);
   }
   mesh.SortVertices();
-  Decimation result = Collector(mesh, options.SmallestAngle).Run(monitor.Step(0.9, 1.0));
+  Decimation result = Collector(mesh, options.SmallestAngle).Run(options.IsMeasured, monitor.Step(0.9, 1.0));
   result.MaximumNumberOfPoints = most;
   return result;
 }

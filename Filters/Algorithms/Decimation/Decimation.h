@@ -97,6 +97,8 @@ struct DecimationOptions : DecimationQuality
   std::size_t MaximumNumberOfPoints = 0;
   /// If not 0, it is the target. Loops are reviewed in a mesh within MaximumError, unless that is 0.
   std::size_t MaximumNumberOfTriangles = 0;
+  /// Otherwise there are no errors, and only vertices have targets.
+  bool IsMeasured = true;
 };
 
 inline bool HasNumber(const DecimationOptions& options)

@@ -342,6 +342,7 @@ public:
   SurfaceMaker(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part)
     : SurfaceMaker(std::move(points), options)
   {
+    this->IsPart = true;
     this->Part = std::move(part);
     this->Result.Boundary.Boundary = std::move(this->Part.Boundary);
     this->Result.Boundary.Patch.assign(this->Points.Columns.size(), 0);
@@ -365,13 +366,13 @@ public:
 
   int Radius() const { return this->Result.Parameters.Radius; }
 
-  Surface RunInParts(std::int32_t rowsOfPart, const Monitor& monitor)
+  Surface RunInParts(const PlaneBox& box, std::int32_t rowsOfPart, const Monitor& monitor)
   {
     this->SetParameters(this->Options.MaximumError);
     this->FindBoundary(monitor.Step(0.0, 0.1));
     if (!this->Result.Kept.empty())
     {
-      const RowsInMemory rows(this->Columns(), this->Height());
+      const RowsInMemory rows(this->Columns(), this->Height(), box);
       MakeInParts(rows, rowsOfPart, this->Options, this->Result, monitor.Step(0.1, 1.0));
     }
     return std::move(this->Result);
@@ -715,6 +716,7 @@ private:
     static_cast<DecimationQuality&>(options) = this->Options;
     options.MaximumError = parameters.MaximumError;
     options.MaximumNumberOfTriangles = this->Options.MaximumNumberOfTriangles;
+    options.IsMeasured = !this->IsPart;
     this->Result.Mesh = SeismicHorizons::Decimate(
       this->MoveHorizon(), options, monitor, [this](const LoopTriangles& seen) { return this->Review(seen); });
     parameters.MaximumNumberOfPoints = this->Result.Mesh.MaximumNumberOfPoints;
@@ -729,6 +731,7 @@ private:
   SurfacePoints Points; // moved away by the last run
   const SurfaceOptions& Options;
   Surface Result;
+  bool IsPart = false;
   PartOfSurface Part;
   std::optional<ColumnIndex> Index;
   bool HasBoundary = false;
@@ -778,7 +781,7 @@ Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const M
   const ColumnRows rows = ColumnRows::Of(points.Columns);
   SurfaceMaker maker(std::move(points), options);
   const std::int32_t rowsOfPart = rows.AreAscending ? RowsOfPart(rows.Box, options, maker.Radius()) : 0;
-  return rowsOfPart > 0 ? maker.RunInParts(rowsOfPart, monitor) : maker.Run(monitor);
+  return rowsOfPart > 0 ? maker.RunInParts(rows.Box, rowsOfPart, monitor) : maker.Run(monitor);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

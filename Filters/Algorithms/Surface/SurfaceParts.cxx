@@ -36,16 +36,18 @@ namespace SeismicHorizons
 {
 namespace
 {
-// A band has about so many columns: much fewer take more time at cuts, more take memory.
-constexpr std::int64_t ColumnsOfBand = std::int64_t(1) << 21;
+// A band has about so many columns: fewer leave more vertices along cuts, more take memory.
+constexpr std::int64_t ColumnsOfBand = std::int64_t(1) << 22;
 constexpr std::int64_t LeastRows = 64;
 constexpr std::int64_t LeastBands = 2;
 // Triangles whose centre is so near to a cut, in rows, are made anew, but at most this fraction of a band.
-constexpr std::int32_t RowsBesideCut = 48;
+constexpr std::int32_t RowsBesideCut = 128;
 constexpr std::int32_t PartBesideCut = 4;
-// Edges that are too far from links are made anew with triangles so many columns around, then with more.
+// Edges that are too far from links, and slivers beside edges that stay, are made anew with triangles so many columns
+// around, then with more.
 constexpr std::int32_t LeastAround = 4;
 constexpr std::int32_t MostAround = 32;
+constexpr std::int32_t MostAroundSlivers = 12;
 
 using Corners = std::array<PointId, 3>;
 
@@ -124,6 +126,7 @@ struct PartMesh
   std::unordered_map<std::uint64_t, std::vector<PointId>> Chains; // the boundary between the ends of edges of outlines
   std::unordered_set<PointId> Dropped;
   std::vector<PointId> AddedToOutlines;
+  std::unordered_set<PointId> Locked; // of edges of other parts
 
   /// Outlines there are simplified anew, apart from points that stay dropped.
   void LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay)
@@ -452,6 +455,11 @@ private:
     return mesh;
   }
 
+  static bool IsLeftOut(const PointWindow& window, std::size_t point)
+  {
+    return !window.IsLeftOut.empty() && window.IsLeftOut[point] != 0;
+  }
+
   enum class PointState : unsigned char
   {
     Away,
@@ -485,7 +493,8 @@ private:
           for (auto column = std::lower_bound(begin, window.Columns.end(), first, PrecedesByRow);
                column != window.Columns.end() && column->Y == row && column->X <= right + reach; ++column)
           {
-            states[std::size_t(column - begin)] = PointState::Beside;
+            const auto point = std::size_t(column - begin);
+            states[point] = IsLeftOut(window, point) ? PointState::Away : PointState::Beside;
           }
         }
       });
@@ -553,6 +562,11 @@ private:
     for (std::int32_t around = LeastAround;; around += LeastAround)
     {
       this->AddFar(window, made, meshes);
+      if (around <= MostAroundSlivers)
+      {
+        this->AddSlivers(made);
+      }
+      std::sort(this->Far.begin(), this->Far.end(), PrecedesByRow);
       above.Add(made);
       if (this->Far.empty() || around > MostAround)
       {
@@ -592,7 +606,7 @@ private:
     const auto isDropped = [&](std::int64_t n)
     {
       const PointId point = window.First + PointId(n);
-      return made.Dropped.count(point) > 0 ||
+      return IsLeftOut(window, std::size_t(n)) || made.Dropped.count(point) > 0 ||
         std::any_of(
           others.begin(), others.end(), [&](const PartMesh* mesh) { return mesh->Dropped.count(point) > 0; });
     };
@@ -620,7 +634,21 @@ private:
         }
       }
     }
-    std::sort(this->Far.begin(), this->Far.end(), PrecedesByRow);
+  }
+
+  void AddSlivers(const PartMesh& made)
+  {
+    const double sine = SineOfDegrees(this->Options.SmallestAngle);
+    for (const Corners& corners : made.Triangles)
+    {
+      const PlanePoint a = this->At(corners[0]);
+      const bool isBesideOther = std::any_of(
+        corners.begin(), corners.end(), [&made](PointId corner) { return made.Locked.count(corner) > 0; });
+      if (isBesideOther && SineOfSmallestAngle(a, this->At(corners[1]), this->At(corners[2])) < sine)
+      {
+        this->Far.push_back(a);
+      }
+    }
   }
 
   /// Takes the triangles that are chosen, and meshes their area anew. Edges along an open cut go.
@@ -670,6 +698,7 @@ private:
     for (const std::uint64_t key : sides.Inner)
     {
       made.Chains.erase(key);
+      made.Locked.insert({ FromOf(key), ToOf(key) });
     }
     return made;
   }
@@ -948,7 +977,12 @@ private:
         isDropped[std::size_t(dropped.back())] = 1;
       }
       const HeightRaster raster(
-        size, [&](std::int64_t point) { return isDropped[std::size_t(point)] != 0 ? NoPoint : PointId(point); },
+        size,
+        [&](std::int64_t point)
+        {
+          const auto n = std::size_t(point);
+          return isDropped[n] != 0 || IsLeftOut(window, n) ? NoPoint : PointId(point);
+        },
         window.Columns, window.Height.data(), this->Options.Cuts, dropped);
       errors.Measure(
         TriangleId(first), TriangleId(piece.End), [&](TriangleId) -> const HeightRaster& { return raster; },
@@ -1042,7 +1076,7 @@ private:
   std::unordered_set<PointId> Shared; // stay on outlines
   std::vector<PointId> LoopPoints; // ascending
   std::vector<double> LoopHeights;
-  std::vector<PlanePoint> Far; // middles of edges that are too far from links, ascending by rows
+  std::vector<PlanePoint> Far; // where a strip is not good yet, ascending by rows
   std::vector<Piece> Pieces;
   std::vector<Corners> Triangles;
   std::vector<std::pair<PointId, double>> Vertices; // ascending, with heights
@@ -1054,10 +1088,10 @@ private:
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-RowsInMemory::RowsInMemory(PlanePoints columns, const std::vector<double>& height)
+RowsInMemory::RowsInMemory(PlanePoints columns, const std::vector<double>& height, const PlaneBox& box)
   : Columns(columns)
   , Height(height)
-  , Area(columns)
+  , Area(box)
 {
 }
 
@@ -1131,9 +1165,11 @@ void ForEachBlock(const RowReader& rows, const Monitor& monitor, Visitor&& visit
 class IndexedRows : public PointRows
 {
 public:
-  IndexedRows(const RowReader& rows, const ColumnIndex& index)
+  IndexedRows(const RowReader& rows, const ColumnIndex& index, const PatchSpans& patches, bool areAllKept)
     : Rows(rows)
     , Index(index)
+    , Patches(patches)
+    , AreAllKept(areAllKept)
     , Area(rows.Box())
   {
   }
@@ -1160,12 +1196,24 @@ public:
         std::to_string(lastRow) + ", expected the " + std::to_string(this->FirstOf(lastRow + 1) - window.First) +
         " that were there before: the file has changed");
     }
+    if (!this->AreAllKept)
+    {
+      window.IsLeftOut.assign(window.Columns.size(), 0);
+      this->Patches.ForEach(window.First, window.First + PointId(window.Columns.size()),
+        [&window](PointId first, PointId last, std::int32_t patch)
+        {
+          const auto begin = window.IsLeftOut.begin() - window.First;
+          std::fill(begin + first, begin + last, patch == NoPatch ? 1 : 0);
+        });
+    }
     return window;
   }
 
 private:
   const RowReader& Rows;
   const ColumnIndex& Index;
+  const PatchSpans& Patches;
+  const bool AreAllKept;
   const PlaneBox Area;
 };
 
@@ -1256,7 +1304,8 @@ RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& given, std::
   result.Patches = std::move(boundary.Patches);
   result.DroppedPoints =
     std::accumulate(boundary.PatchSizes.begin(), boundary.PatchSizes.end(), points, std::minus<>());
-  MakeInParts(IndexedRows(rows, index), rowsOfPart, options, made, monitor.Step(0.25, 1.0), take);
+  const IndexedRows indexed(rows, index, result.Patches, result.DroppedPoints == 0);
+  MakeInParts(indexed, rowsOfPart, options, made, monitor.Step(0.25, 1.0), take);
   return result;
 }
 }

@@ -32,6 +32,7 @@ struct PointWindow
   PointId First = 0;
   std::vector<PlanePoint> Columns;
   std::vector<double> Height; // lattice units
+  std::vector<unsigned char> IsLeftOut; // of points without a patch; empty if all have one
 };
 
 /// The points of a horizon, numbered row by row.
@@ -49,8 +50,8 @@ public:
 class RowsInMemory : public PointRows
 {
 public:
-  /// Columns ascend row by row. Both must outlive this.
-  RowsInMemory(PlanePoints columns, const std::vector<double>& height);
+  /// Columns ascend row by row, in the box. They and the heights must outlive this.
+  RowsInMemory(PlanePoints columns, const std::vector<double>& height, const PlaneBox& box);
 
   PlaneBox Box() const override { return this->Area; }
   PlanePoint ColumnOf(PointId point) const override { return this->Columns[std::size_t(point)]; }

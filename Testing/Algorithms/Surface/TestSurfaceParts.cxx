@@ -204,6 +204,91 @@ Points SortedByRow(const Patches::Columns& columns, const std::vector<double>& h
   return points;
 }
 
+/// Points that are read row by row.
+class Reader : public RowReader
+{
+public:
+  explicit Reader(const Points& points)
+    : Given(points)
+  {
+  }
+
+  PlaneBox Box() const override { return PlaneBox(this->Given.Columns); }
+  void Read(std::int32_t first, std::int32_t last, std::vector<PlanePoint>& columns,
+    std::vector<double>& height) const override
+  {
+    for (std::size_t n = 0; n < this->Given.Columns.size(); ++n)
+    {
+      if (this->Given.Columns[n].Y >= first && this->Given.Columns[n].Y <= last)
+      {
+        columns.push_back(this->Given.Columns[n]);
+        height.push_back(this->Given.Height[n]);
+      }
+    }
+  }
+
+private:
+  const Points& Given;
+};
+
+/// A surface as a text, in points of all.
+std::string Tell(const Surface& surface, const std::vector<PointId>& targets, std::int64_t dropped)
+{
+  std::ostringstream text;
+  text.precision(17);
+  const Decimation& mesh = surface.Mesh;
+  for (std::size_t vertex = 0; vertex < mesh.Points.Source.size(); ++vertex)
+  {
+    text << mesh.Points.Source[vertex] << ' ' << mesh.Points.Plane[vertex].X << ' ' << mesh.Points.Plane[vertex].Y << ' '
+         << mesh.Points.Height[vertex] << ' ' << int(mesh.Points.Averaged[vertex]) << '\n';
+  }
+  for (const Loops* const loops : { &mesh.Points.Boundary, &surface.Boundary.Boundary })
+  {
+    loops->ForEachEdge([&](PointId from, PointId to) { text << from << ' ' << to << ' '; });
+  }
+  const auto tell = [&](const auto& values)
+  {
+    std::for_each(values.begin(), values.end(), [&](auto value) { text << value << ' '; });
+    text << '\n';
+  };
+  tell(mesh.Triangles);
+  tell(mesh.Errors);
+  tell(targets);
+  tell(std::vector<double>{ mesh.LargestError, mesh.MeanError, mesh.LargestEdgeError, mesh.LargestLoopError,
+    surface.BoundaryDeviation, surface.OutlineDeviation, surface.OutlineHeightDeviation, double(surface.NumberOutside),
+    double(mesh.NumberOfSlivers), double(surface.Boundary.NumberOfPatches), double(surface.Parameters.Radius),
+    double(surface.Parameters.SmallestHoleSize), surface.Parameters.MaximumError, double(dropped) });
+  return text.str();
+}
+
+/// What differs between the points in memory and read row by row; empty when nothing does.
+std::string CompareRows(const Points& points, const SurfaceOptions& options, Surface surface)
+{
+  std::vector<PointId> targets(points.Columns.size(), NoPoint);
+  const auto numberOf = [&](PointId point) { return surface.Kept[std::size_t(point)]; };
+  for (std::size_t n = 0; n < surface.Kept.size(); ++n)
+  {
+    targets[std::size_t(surface.Kept[n])] = surface.Mesh.Points.Target[n];
+  }
+  surface.Boundary.Boundary = surface.Boundary.Boundary.RenumberedBy(numberOf);
+  std::transform(surface.Mesh.Points.Source.begin(), surface.Mesh.Points.Source.end(),
+    surface.Mesh.Points.Source.begin(), numberOf);
+  std::vector<PointId> read;
+  const RowSurface byRows = MakeSurface(Reader(points), options, std::int64_t(points.Columns.size()),
+    [&](PointId first, const std::vector<PointId>& some)
+    {
+      CHECK_EQUAL(std::size_t(first), read.size());
+      read.insert(read.end(), some.begin(), some.end());
+    });
+  for (std::size_t n = 0; n < surface.Kept.size(); ++n)
+  {
+    CHECK_EQUAL(byRows.Patches.PatchAt(surface.Kept[n]), surface.Boundary.Patch[n]);
+  }
+  const std::string other = Tell(byRows.Made, read, byRows.DroppedPoints);
+  const std::string own = Tell(surface, targets, std::int64_t(targets.size() - surface.Kept.size()));
+  return own == other ? std::string() : "another surface from rows";
+}
+
 /// More with the variable SEEDS of the environment.
 void TestRandomPatches()
 {
@@ -229,7 +314,9 @@ void TestRandomPatches()
     std::string wrong;
     try
     {
-      wrong = Check(points, MakeSurface(points, options), options.MaximumError);
+      const Surface surface = MakeSurface(points, options);
+      wrong = Check(points, surface, options.MaximumError);
+      wrong = wrong.empty() ? CompareRows(points, options, surface) : wrong;
     }
     catch (const std::exception& error)
     {
