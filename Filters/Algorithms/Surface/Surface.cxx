@@ -373,7 +373,12 @@ public:
     if (!this->Result.Kept.empty())
     {
       const RowsInMemory rows(this->Columns(), this->Height(), box);
-      MakeInParts(rows, rowsOfPart, this->Options, this->Result, monitor.Step(0.1, 1.0));
+      const TakeTargets take = [this](PointId, const std::vector<PointId>& targets)
+      {
+        RawVector<PointId>& all = this->Result.Mesh.Points.Target;
+        all.insert(all.end(), targets.begin(), targets.end());
+      };
+      MakeInParts(rows, rowsOfPart, this->Options, this->Result, take, monitor.Step(0.1, 1.0));
     }
     return std::move(this->Result);
   }

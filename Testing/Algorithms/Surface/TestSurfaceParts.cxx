@@ -3,13 +3,14 @@
 //
 // Horizons that are meshed in parts: one mesh within the error everywhere, as good as one that is made at once.
 
-#include "Filters/Algorithms/Surface/SurfaceParts.h"
+#include "Filters/Algorithms/Surface/RowSurface.h"
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
 #include "Generator/HorizonGenerator.h"
 #include "SurfaceInputs.h"
 #include "Tools/BoundaryChecker.h"
 #include "Tools/Check.h"
+#include "Tools/CrackedPatches.h"
 #include "Tools/ExactPlane.h"
 #include "Tools/Patches.h"
 #include "Tools/TestHorizons.h"
@@ -157,7 +158,7 @@ private:
 };
 
 /// What is wrong with a mesh; empty when nothing is.
-std::string Check(const Points& points, const Surface& surface, double error)
+std::string Check(const Points& points, const Surface& surface, double error, bool areEdgesBound = true)
 {
   constexpr double rounding = 1e-9;
   const Decimation& mesh = surface.Mesh;
@@ -174,8 +175,9 @@ std::string Check(const Points& points, const Surface& surface, double error)
   const Fit fit = Measure(points, surface).Run();
   std::ostringstream text;
   const auto targets = std::count(mesh.Points.Target.begin(), mesh.Points.Target.end(), NoPoint);
-  if (fit.Largest > error + rounding || mesh.LargestError > error + rounding || fit.LargestOfEdges > error + rounding ||
-    mesh.LargestEdgeError > error + rounding || fit.LargestOfEdges > mesh.LargestEdgeError + rounding)
+  const bool areEdgesFar = fit.LargestOfEdges > error + rounding || mesh.LargestEdgeError > error + rounding ||
+    fit.LargestOfEdges > mesh.LargestEdgeError + rounding;
+  if (fit.Largest > error + rounding || mesh.LargestError > error + rounding || (areEdgesBound && areEdgesFar))
   {
     text << "errors " << fit.Largest << ' ' << mesh.LargestError << ' ' << fit.LargestOfEdges << ' '
          << mesh.LargestEdgeError;
@@ -329,6 +331,36 @@ void TestRandomPatches()
   }
 }
 
+/// Edges that cross cut links have no error.
+void TestCracks()
+{
+  for (int seed = 1; seed <= CrackedPatches::NumberOfLattices(); ++seed)
+  {
+    Patches::Random random(std::uint64_t(seed) * 104729u);
+    const CrackedPatches::CrackedPatch patch = CrackedPatches::Make(random);
+    const Points points = SortedByRow(patch.Columns, TestHorizons::MakeHeights(patch.Columns, random));
+    SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
+    options.Radius = 1;
+    options.RowsOfPart = 2 + random.Below(12);
+    options.Cuts = &patch.Cuts;
+    std::string wrong;
+    try
+    {
+      const Surface surface = MakeSurface(points, options);
+      wrong = Check(points, surface, options.MaximumError, false);
+      CHECK(surface.Mesh.LargestEdgeError <= options.MaximumError + 1e-9);
+    }
+    catch (const std::exception& error)
+    {
+      wrong = error.what();
+    }
+    if (!CHECK_EQUAL(wrong, std::string()))
+    {
+      std::cerr << "cracked lattice " << seed << ", rows " << options.RowsOfPart << '\n';
+    }
+  }
+}
+
 /// The voxels of a generated horizon: holes, one of them with an island, a ragged outline, single missing voxels.
 Points MakeGenerated(std::uint64_t seed, double dropouts)
 {
@@ -373,6 +405,7 @@ void TestGenerated()
 int TestSurfaceParts(int, char*[])
 {
   TestRandomPatches();
+  TestCracks();
   TestGenerated();
   return Check::Result();
 }

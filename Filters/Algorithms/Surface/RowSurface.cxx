@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "RowSurface.h"
+
+#include "Common/Base/Errors.h"
+#include "Common/Horizon/ColumnIndex.h"
+#include "SurfaceParts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace SeismicHorizons
+{
+namespace
+{
+/// Calls visit(columns, heights) for blocks of rows.
+template <typename Visitor>
+void ForEachBlock(const RowReader& rows, const Monitor& monitor, Visitor&& visit)
+{
+  const PlaneBox box = rows.Box();
+  const std::int32_t step = RowsOfBand(box);
+  for (std::int64_t row = box.Least.Y; row <= box.Greatest.Y; row += step)
+  {
+    monitor.Progress(double(row - box.Least.Y) / (double(box.Greatest.Y) - box.Least.Y + 1.0));
+    std::vector<PlanePoint> columns;
+    std::vector<double> height;
+    rows.Read(std::int32_t(row), std::int32_t(std::min<std::int64_t>(row + step - 1, box.Greatest.Y)), columns, height);
+    visit(columns, height);
+  }
+}
+
+class IndexedRows : public PointRows
+{
+public:
+  IndexedRows(const RowReader& rows, const ColumnIndex& index, const PatchSpans& patches, bool areAllKept)
+    : Rows(rows)
+    , Index(index)
+    , Patches(patches)
+    , AreAllKept(areAllKept)
+    , Area(rows.Box())
+  {
+  }
+
+  PlaneBox Box() const override { return this->Area; }
+  PlanePoint ColumnOf(PointId point) const override { return this->Index.ColumnOf(point); }
+
+  PointId FirstOf(std::int32_t row) const override
+  {
+    return row > this->Area.Greatest.Y
+      ? PointId(this->Index.NumberOfPoints())
+      : PointId(this->Index.Rank(this->Index.Place({ this->Area.Least.X, std::max(row, this->Area.Least.Y) })));
+  }
+
+  PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const override
+  {
+    PointWindow window;
+    window.First = this->FirstOf(firstRow);
+    this->Rows.Read(std::max(firstRow, this->Area.Least.Y), std::min(lastRow, this->Area.Greatest.Y), window.Columns,
+      window.Height);
+    if (window.Columns.size() != std::size_t(this->FirstOf(lastRow + 1) - window.First))
+    {
+      throw InputError(std::to_string(window.Columns.size()) + " points in rows " + std::to_string(firstRow) + " to " +
+        std::to_string(lastRow) + ", expected the " + std::to_string(this->FirstOf(lastRow + 1) - window.First) +
+        " that were there before: the file has changed");
+    }
+    if (!this->AreAllKept)
+    {
+      window.IsLeftOut.assign(window.Columns.size(), 0);
+      this->Patches.ForEach(window.First, window.First + PointId(window.Columns.size()),
+        [&window](PointId first, PointId last, std::int32_t patch)
+        {
+          const auto begin = window.IsLeftOut.begin() - window.First;
+          std::fill(begin + first, begin + last, patch == NoPatch ? 1 : 0);
+        });
+    }
+    return window;
+  }
+
+private:
+  const RowReader& Rows;
+  const ColumnIndex& Index;
+  const PatchSpans& Patches;
+  const bool AreAllKept;
+  const PlaneBox Area;
+};
+
+/// Makes the surface of all points.
+RowSurface MakeAtOnce(
+  const RowReader& rows, const SurfaceOptions& options, const TakeTargets& take, const Monitor& monitor)
+{
+  std::vector<PlanePoint> columns;
+  std::vector<double> height;
+  rows.Read(rows.Box().Least.Y, rows.Box().Greatest.Y, columns, height);
+  RowSurface result;
+  Surface& made = result.Made;
+  made = MakeSurface({ columns, std::move(height) }, options, monitor);
+  std::vector<PointId> targets(columns.size(), NoPoint);
+  result.Patches = PatchSpans(columns.size());
+  std::vector<std::int32_t> patches(columns.size(), NoPatch);
+  for (std::size_t n = 0; n < made.Kept.size(); ++n)
+  {
+    const auto point = std::size_t(made.Kept[n]);
+    patches[point] = made.Boundary.Patch[n];
+    targets[point] = made.Mesh.Points.Target[n];
+  }
+  for (std::size_t point = 0; point < patches.size(); ++point)
+  {
+    result.Patches.Append(PointId(point), patches[point]);
+  }
+  const auto numberOf = [&](PointId point) { return made.Kept[std::size_t(point)]; };
+  made.Boundary.Boundary = made.Boundary.Boundary.RenumberedBy(numberOf);
+  for (std::vector<PointId>* const points : { &made.Mesh.Points.Source, &made.AddedToOutlines })
+  {
+    std::transform(points->begin(), points->end(), points->begin(), numberOf);
+  }
+  result.DroppedPoints = std::int64_t(columns.size() - made.Kept.size());
+  made.Boundary.Patch.clear();
+  made.Mesh.Points.Target.clear();
+  made.Dropped.clear();
+  made.Kept = KeptPoints();
+  take(0, targets);
+  return result;
+}
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& given, std::int64_t mostAtOnce,
+  const TakeTargets& take, const Monitor& monitor)
+{
+  RowSurface result;
+  const PlaneBox box = rows.Box();
+  if (box.IsEmpty())
+  {
+    return result;
+  }
+  SurfaceOptions options = given;
+  constexpr int rim = 2;
+  GapCounter gaps(box);
+  const ColumnIndex index(box, rim,
+    [&](auto&& add)
+    {
+      ForEachBlock(rows, monitor.Step(0.0, 0.2),
+        [&](const std::vector<PlanePoint>& columns, const std::vector<double>&)
+        {
+          gaps.Add(columns);
+          std::for_each(columns.begin(), columns.end(), add);
+        });
+    });
+  options.Radius = options.Radius ? *options.Radius : ChooseRadius(gaps.Counted());
+  const std::int32_t rowsOfPart = RowsOfPart(box, options, *options.Radius);
+  const auto points = std::int64_t(index.NumberOfPoints());
+  if (rowsOfPart == 0)
+  {
+    if (points > mostAtOnce)
+    {
+      throw InputError(std::to_string(points) + " points to be meshed at once (with a radius above 1, another effort than "
+        "Best, a number of triangles, or an edge length), expected at most " + std::to_string(mostAtOnce));
+    }
+    return MakeAtOnce(rows, options, take, monitor.Step(0.2, 1.0));
+  }
+  Surface& made = result.Made;
+  made.Parameters = ParametersWithin(options);
+  BoundaryOptions ofBoundary;
+  ofBoundary.Growth = options.Growth;
+  ofBoundary.KeepHoles = options.KeepHoles;
+  ofBoundary.MinimumPatchSize = options.MinimumPatchSize;
+  ofBoundary.SmallestHoleSize = made.Parameters.SmallestHoleSize;
+  RowBoundary boundary = FindExteriorBoundary(index, ofBoundary, monitor.Step(0.2, 0.25));
+  made.Boundary.Boundary = std::move(boundary.Boundary);
+  made.Boundary.NumberOfPatches = boundary.NumberOfPatches;
+  result.Patches = std::move(boundary.Patches);
+  result.DroppedPoints =
+    std::accumulate(boundary.PatchSizes.begin(), boundary.PatchSizes.end(), points, std::minus<>());
+  const IndexedRows indexed(rows, index, result.Patches, result.DroppedPoints == 0);
+  MakeInParts(indexed, rowsOfPart, options, made, take, monitor.Step(0.25, 1.0));
+  return result;
+}
+}
