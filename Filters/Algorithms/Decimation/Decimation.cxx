@@ -14,7 +14,7 @@
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/Types.h"
 #include "HeightMesh.h"
-#include "MeshErrors.h"
+#include "MeshFit.h"
 #include "MeshImprover.h"
 #include "MeshRefiner.h"
 
@@ -91,7 +91,7 @@ private:
 
   void Measure(const Monitor& monitor)
   {
-    MeshErrors errors(this->Mesh, this->Surface.RaisedVertices());
+    MeshFit errors(this->Mesh, this->Surface.RaisedVertices());
     errors.Measure(
       0, this->Mesh.Size(), [this](TriangleId triangle) -> const HeightRaster& { return this->Surface.RasterOf(triangle); },
       [this](PointId point, VertexId vertex) { this->Result.Points.Target[point] = vertex; }, monitor);
@@ -457,7 +457,7 @@ std::vector<double> FindErrors(BoundedHorizon horizon, std::size_t triangles, do
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteErrors(MeshErrors errors, std::size_t vertices, Decimation& result)
+void WriteErrors(MeshFit errors, std::size_t vertices, Decimation& result)
 {
   const std::size_t points = errors.Columns + vertices;
   result.Errors = std::move(errors.Errors);

@@ -173,9 +173,9 @@ Decimation Decimate(BoundedHorizon horizon, const DecimationOptions& options = D
 std::vector<double> FindErrors(
   BoundedHorizon horizon, std::size_t triangles, double leastError, const Monitor& monitor = Monitor());
 
-class MeshErrors;
+class MeshFit;
 /// Sums must include the vertices.
-void WriteErrors(MeshErrors errors, std::size_t vertices, Decimation& result);
+void WriteErrors(MeshFit errors, std::size_t vertices, Decimation& result);
 
 InputError TooFewTriangles(std::size_t most, std::size_t least);
 }

@@ -6,7 +6,7 @@
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/BoundarySimplification/BoundarySimplification.h"
-#include "Filters/Algorithms/Decimation/MeshErrors.h"
+#include "Filters/Algorithms/Decimation/MeshFit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ void PartAssembly::AddHeights(const PointWindow& window)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PartAssembly::Add(const PartMesh& mesh)
+void PartAssembly::Add(const SurfacePart& mesh)
 {
   Piece piece;
   for (const PartCorners& corners : mesh.Triangles)
@@ -143,7 +143,7 @@ void PartAssembly::SimplifyLoops()
 void PartAssembly::Measure(
   const PlaneMesh& plane, const std::vector<RaisedPoint>& raised, const TakeTargets& take, const Monitor& monitor)
 {
-  MeshErrors errors(plane, raised);
+  MeshFit errors(plane, raised);
   TargetRows targets(*this, take);
   std::vector<unsigned char>& averaged = this->Result.Mesh.Points.Averaged;
   std::size_t first = 0;

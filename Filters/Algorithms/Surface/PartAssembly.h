@@ -11,7 +11,7 @@
 #include "Common/Horizon/Types.h"
 #include "Filters/Algorithms/Decimation/HeightRaster.h"
 #include "Filters/Algorithms/Decimation/PlaneMesh.h"
-#include "PartMesh.h"
+#include "SurfacePart.h"
 #include "PointRows.h"
 #include "Surface.h"
 
@@ -36,7 +36,7 @@ public:
   /// Takes the heights of points of the boundary. All must be in one window.
   void AddHeights(const PointWindow& window);
   /// Parts must be added from the lowest rows on.
-  void Add(const PartMesh& mesh);
+  void Add(const SurfacePart& mesh);
 
   /// Fills the mesh and the figures of the surface, but for targets.
   void Finish(const TakeTargets& take, const Monitor& monitor);

@@ -339,7 +339,7 @@ public:
     this->Result.Parameters.Radius = options.Radius ? *options.Radius : ChooseRadius(this->Points.Columns);
   }
 
-  SurfaceMaker(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part)
+  SurfaceMaker(SurfacePoints points, const SurfaceOptions& options, KnownBoundary part)
     : SurfaceMaker(std::move(points), options)
   {
     this->IsPart = true;
@@ -737,7 +737,7 @@ private:
   const SurfaceOptions& Options;
   Surface Result;
   bool IsPart = false;
-  PartOfSurface Part;
+  KnownBoundary Part;
   std::optional<ColumnIndex> Index;
   bool HasBoundary = false;
   std::vector<PlanePoint> KeptColumns; // empty if all points have a patch
@@ -790,7 +790,7 @@ Surface MakeSurface(SurfacePoints points, const SurfaceOptions& options, const M
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-Surface MakePart(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part, const Monitor& monitor)
+Surface MakePart(SurfacePoints points, const SurfaceOptions& options, KnownBoundary part, const Monitor& monitor)
 {
   return SurfaceMaker(std::move(points), options, std::move(part)).Run(monitor);
 }

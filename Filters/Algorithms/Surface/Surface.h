@@ -104,7 +104,7 @@ Surface MakeSurface(
   SurfacePoints points, const SurfaceOptions& options = SurfaceOptions(), const Monitor& monitor = Monitor());
 
 /// Part of a horizon with a boundary that is known, and is simplified between points that stay.
-struct PartOfSurface
+struct KnownBoundary
 {
   Loops Boundary;
   std::vector<PointId> Fixed;
@@ -113,7 +113,7 @@ struct PartOfSurface
 };
 
 /// Options must have a radius, and an error as the target.
-Surface MakePart(SurfacePoints points, const SurfaceOptions& options, PartOfSurface part, const Monitor& monitor);
+Surface MakePart(SurfacePoints points, const SurfaceOptions& options, KnownBoundary part, const Monitor& monitor);
 
 std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance);
 

@@ -6,7 +6,7 @@
 #include "BandCuts.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/Decimation/HeightRaster.h"
-#include "PartMesh.h"
+#include "SurfacePart.h"
 
 #include <algorithm>
 #include <array>
@@ -78,12 +78,12 @@ public:
 
   void Run(const TakeTargets& take, const Monitor& monitor)
   {
-    PartMesh below;
+    SurfacePart below;
     const std::size_t bands = this->Cuts.NumberOfBands();
     for (std::size_t band = 0; band < bands; ++band)
     {
       const auto part = [&](double done) { return 0.9 * (double(band) + done) / double(bands); };
-      PartMesh above = this->MeshBand(band, monitor.Step(part(0.0), part(0.8)));
+      SurfacePart above = this->MeshBand(band, monitor.Step(part(0.0), part(0.8)));
       if (band > 0)
       {
         this->MeshStrip(band - 1, below, above, monitor.Step(part(0.8), part(1.0)));
@@ -99,7 +99,7 @@ private:
   PlanePoint At(PointId point) const { return this->Rows.ColumnOf(point); }
 
   // ---- Bands -------------------------------------------------------------------------------------------------------
-  PartMesh MeshBand(std::size_t band, const Monitor& monitor)
+  SurfacePart MeshBand(std::size_t band, const Monitor& monitor)
   {
     PartBoundary boundary;
     if (band < this->Cuts.NumberOfCuts())
@@ -125,10 +125,10 @@ private:
 
   // ---- Strips ------------------------------------------------------------------------------------------------------
   /// Takes triangles from both bands, and adds the strip to the upper one.
-  void MeshStrip(std::size_t cut, PartMesh& below, PartMesh& above, const Monitor& monitor)
+  void MeshStrip(std::size_t cut, SurfacePart& below, SurfacePart& above, const Monitor& monitor)
   {
-    const std::vector<PartMesh*> meshes = { &below, &above };
-    PartMesh made = this->Remesh(
+    const std::vector<SurfacePart*> meshes = { &below, &above };
+    SurfacePart made = this->Remesh(
       meshes, &this->Cuts.Cut(cut), [&](const PartCorners& corners) { return this->IsBeside(cut, corners); },
       monitor.Step(0.0, 0.8));
     for (std::int32_t around = LeastAround;; around += LeastAround)
@@ -195,7 +195,7 @@ private:
   }
 
   /// Finds edges inside a part that are too far from links.
-  void AddFar(const PartMesh& made, const std::vector<PartMesh*>& others)
+  void AddFar(const SurfacePart& made, const std::vector<SurfacePart*>& others)
   {
     const double bound = MaximumCrossingError(this->Options.MaximumError, this->Options.Crossings);
     if (made.Triangles.empty() || bound == std::numeric_limits<double>::infinity())
@@ -229,10 +229,10 @@ private:
   }
 
   HeightRaster MakeRaster(
-    const PointWindow& window, const PartMesh& made, const std::vector<PartMesh*>& others) const
+    const PointWindow& window, const SurfacePart& made, const std::vector<SurfacePart*>& others) const
   {
     std::vector<unsigned char> isDropped(window.Columns.size(), 0);
-    const auto mark = [&](const PartMesh& mesh)
+    const auto mark = [&](const SurfacePart& mesh)
     {
       for (const PointId point : mesh.Dropped)
       {
@@ -244,7 +244,7 @@ private:
       }
     };
     mark(made);
-    std::for_each(others.begin(), others.end(), [&](const PartMesh* mesh) { mark(*mesh); });
+    std::for_each(others.begin(), others.end(), [&](const SurfacePart* mesh) { mark(*mesh); });
     const auto pointAt = [&](std::int64_t n)
     { return isDropped[std::size_t(n)] == 0 && window.HasPatch(std::size_t(n)) ? PointId(n) : NoPoint; };
     return HeightRaster(
@@ -262,7 +262,7 @@ private:
   }
 
   /// Finds slivers beside edges that stay.
-  void AddSlivers(const PartMesh& made)
+  void AddSlivers(const SurfacePart& made)
   {
     const double sine = SineOfDegrees(this->Options.SmallestAngle);
     for (const PartCorners& corners : made.Triangles)
@@ -279,11 +279,11 @@ private:
 
   // ---- Triangles that are made anew --------------------------------------------------------------------------------
   /// Takes the triangles that are chosen, and meshes their area anew. Edges along an open cut go.
-  PartMesh Remesh(const std::vector<PartMesh*>& meshes, const BandCut* cut,
+  SurfacePart Remesh(const std::vector<SurfacePart*>& meshes, const BandCut* cut,
     const std::function<bool(const PartCorners&)>& isChosen, const Monitor& monitor) const
   {
     std::vector<PartCorners> taken;
-    for (PartMesh* const mesh : meshes)
+    for (SurfacePart* const mesh : meshes)
     {
       const auto first = std::stable_partition(mesh->Triangles.begin(), mesh->Triangles.end(),
         [&](const PartCorners& corners) { return !isChosen(corners); });
@@ -292,7 +292,7 @@ private:
     }
     const StripSides sides = this->FindSides(cut, taken, meshes);
     PartBoundary boundary = this->BoundaryOf(sides, meshes);
-    for (PartMesh* const mesh : meshes)
+    for (SurfacePart* const mesh : meshes)
     {
       mesh->LetGo(sides.Outer, boundary.Dropped);
       for (auto chain = mesh->Chains.begin(); cut && chain != mesh->Chains.end();)
@@ -309,7 +309,7 @@ private:
     std::for_each(
       boundary.Edges.begin(), boundary.Edges.end(), [&](const Edge& edge) { box.Add(this->At(edge.From)); });
     std::for_each(boundary.Dropped.begin(), boundary.Dropped.end(), [&](PointId point) { box.Add(this->At(point)); });
-    PartMesh made =
+    SurfacePart made =
       this->Mesher.Mesh(this->Mesher.Read(box.Least.Y, box.Greatest.Y), std::move(boundary), monitor);
     for (const std::uint64_t key : sides.Inner)
     {
@@ -320,7 +320,7 @@ private:
   }
 
   StripSides FindSides(
-    const BandCut* cut, const std::vector<PartCorners>& triangles, const std::vector<PartMesh*>& meshes) const
+    const BandCut* cut, const std::vector<PartCorners>& triangles, const std::vector<SurfacePart*>& meshes) const
   {
     EdgeKeys edges;
     for (const PartCorners& corners : triangles)
@@ -338,7 +338,7 @@ private:
       if (!isInside && !(cut && cut->IsOpen(this->At(FromOf(key)), this->At(ToOf(key)))))
       {
         const bool isOuter = std::any_of(
-          meshes.begin(), meshes.end(), [key](const PartMesh* mesh) { return mesh->Chains.count(key) > 0; });
+          meshes.begin(), meshes.end(), [key](const SurfacePart* mesh) { return mesh->Chains.count(key) > 0; });
         (isOuter ? sides.Outer : sides.Inner).push_back(key);
       }
     }
@@ -346,7 +346,7 @@ private:
   }
 
   /// Outlines are simplified anew, unless the boundary there meets edges that stay.
-  PartBoundary BoundaryOf(const StripSides& sides, const std::vector<PartMesh*>& meshes) const
+  PartBoundary BoundaryOf(const StripSides& sides, const std::vector<SurfacePart*>& meshes) const
   {
     PartBoundary boundary;
     std::map<std::int32_t, EdgeKeys> byRow;
@@ -355,7 +355,7 @@ private:
       for (const PointId end : { FromOf(key), ToOf(key) })
       {
         const auto mesh = std::find_if( // the last one knows what has changed
-          meshes.rbegin(), meshes.rend(), [end](const PartMesh* one) { return one->Heights.count(end) > 0; });
+          meshes.rbegin(), meshes.rend(), [end](const SurfacePart* one) { return one->Heights.count(end) > 0; });
         boundary.Fixed.insert(end);
         boundary.Locked.emplace(end, (*mesh)->Heights.at(end));
       }
@@ -374,8 +374,8 @@ private:
     const std::set<PointId> stay = boundary.Fixed;
     for (const std::uint64_t key : sides.Outer)
     {
-      const PartMesh& mesh = **std::find_if(
-        meshes.begin(), meshes.end(), [key](const PartMesh* one) { return one->Chains.count(key) > 0; });
+      const SurfacePart& mesh = **std::find_if(
+        meshes.begin(), meshes.end(), [key](const SurfacePart* one) { return one->Chains.count(key) > 0; });
       const std::vector<PointId>& chain = mesh.Chains.at(key);
       const bool staysSimple = this->Meets(chain, stay, byRow);
       if (staysSimple)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "PartMesh.h"
+#include "SurfacePart.h"
 
 #include "BandCuts.h"
 #include "Common/Horizon/CoveredColumns.h"
@@ -18,7 +18,7 @@
 namespace SeismicHorizons
 {
 //----------------------------------------------------------------------------------------------------------------------
-void PartMesh::LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay)
+void SurfacePart::LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay)
 {
   for (const std::uint64_t key : edges)
   {
@@ -38,7 +38,7 @@ void PartMesh::LetGo(const std::vector<std::uint64_t>& edges, const std::set<Poi
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PartMesh::Add(const PartMesh& other)
+void SurfacePart::Add(const SurfacePart& other)
 {
   this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
   for (const auto& [point, height] : other.Heights)
@@ -68,9 +68,8 @@ PointWindow PartMesher::Read(std::int32_t firstRow, std::int32_t lastRow) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-PartMesh PartMesher::Mesh(PointWindow window, PartBoundary boundary, const Monitor& monitor) const
+SurfacePart PartMesher::Mesh(PointWindow window, PartBoundary boundary, const Monitor& monitor) const
 {
-  PartMesh mesh;
   Loops loops = JoinEdges(std::move(boundary.Edges));
   for (const PointId point : boundary.LoopsOfOne)
   {
@@ -79,33 +78,8 @@ PartMesh PartMesher::Mesh(PointWindow window, PartBoundary boundary, const Monit
   }
   if (loops.Size() == 0)
   {
-    return mesh;
+    return {};
   }
-  const PointId first = window.First;
-  const std::vector<State> states =
-    this->FindStates(window, loops.RenumberedBy([first](PointId point) { return point - first; }), boundary.Dropped);
-  std::vector<PointId> own; // points of the horizon
-  std::vector<PointId> number(states.size(), NoPoint);
-  std::vector<PlanePoint> columns;
-  SurfacePoints points;
-  PartOfSurface part;
-  for (std::size_t n = 0; n < states.size(); ++n)
-  {
-    if (states[n] != State::Away)
-    {
-      number[n] = PointId(own.size());
-      own.push_back(first + PointId(n));
-      columns.push_back(window.Columns[n]);
-      points.Height.push_back(window.Height[n]);
-    }
-    if (states[n] == State::Beside)
-    {
-      part.Dropped.push_back({ number[n], NoPoint });
-    }
-  }
-  window = PointWindow();
-  points.Columns = columns;
-  const auto inPart = [&](PointId point) { return number[std::size_t(point - first)]; };
   loops.ForEachPoint(
     [&](PointId point)
     {
@@ -114,46 +88,80 @@ PartMesh PartMesher::Mesh(PointWindow window, PartBoundary boundary, const Monit
         boundary.Fixed.insert(point);
       }
     });
-  std::transform(boundary.Fixed.begin(), boundary.Fixed.end(), std::back_inserter(part.Fixed), inPart);
+  PartPoints points = this->Select(std::move(window), loops, boundary.Dropped);
+  KnownBoundary known;
+  known.Boundary = loops.RenumberedBy([&points](PointId point) { return points.NumberOf(point); });
+  known.Dropped = std::move(points.Beside);
+  std::transform(boundary.Fixed.begin(), boundary.Fixed.end(), std::back_inserter(known.Fixed),
+    [&points](PointId point) { return points.NumberOf(point); });
   for (const auto& [point, height] : boundary.Locked)
   {
-    part.Locked.push_back({ inPart(point), height });
+    known.Locked.push_back({ points.NumberOf(point), height });
   }
-  const Loops exact = loops.RenumberedBy(inPart);
-  part.Boundary = exact;
-  const Surface made = MakePart(std::move(points), this->Options, std::move(part), monitor);
+  const Loops exact = known.Boundary;
+  const Surface made = MakePart({ points.Columns, std::move(points.Height) }, this->Options, std::move(known), monitor);
+  return ToPart(points, exact, made);
+}
 
+//----------------------------------------------------------------------------------------------------------------------
+PartMesher::PartPoints PartMesher::Select(
+  PointWindow window, const Loops& loops, const std::set<PointId>& dropped) const
+{
+  const PointId first = window.First;
+  const std::vector<State> states =
+    this->FindStates(window, loops.RenumberedBy([first](PointId point) { return point - first; }), dropped);
+  PartPoints points;
+  for (std::size_t n = 0; n < states.size(); ++n)
+  {
+    if (states[n] == State::Beside)
+    {
+      points.Beside.push_back({ PointId(points.Own.size()), NoPoint });
+    }
+    if (states[n] != State::Away)
+    {
+      points.Own.push_back(first + PointId(n));
+      points.IsInside.push_back(states[n] == State::Inside ? 1 : 0);
+      points.Columns.push_back(window.Columns[n]);
+      points.Height.push_back(window.Height[n]);
+    }
+  }
+  return points;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfacePart PartMesher::ToPart(const PartPoints& points, const Loops& exact, const Surface& made)
+{
+  SurfacePart part;
   const std::vector<PointId>& sources = made.Mesh.Points.Source;
-  const auto ownAt = [&](PointId vertex) { return own[std::size_t(sources[std::size_t(vertex)])]; };
+  const auto ownAt = [&](PointId point) { return points.Own[std::size_t(point)]; };
+  const auto sourceOf = [&](PointId vertex) { return sources[std::size_t(vertex)]; };
   for (std::size_t corner = 0; corner < made.Mesh.Triangles.size(); corner += 3)
   {
     const PointId* const corners = made.Mesh.Triangles.data() + corner;
-    mesh.Triangles.push_back({ ownAt(corners[0]), ownAt(corners[1]), ownAt(corners[2]) });
+    part.Triangles.push_back(
+      { ownAt(sourceOf(corners[0])), ownAt(sourceOf(corners[1])), ownAt(sourceOf(corners[2])) });
   }
   for (std::size_t vertex = 0; vertex < sources.size(); ++vertex)
   {
-    mesh.Heights.emplace(ownAt(PointId(vertex)), made.Mesh.Points.Height[vertex]);
+    part.Heights.emplace(ownAt(sources[vertex]), made.Mesh.Points.Height[vertex]);
   }
-  const Loops simplified =
-    made.Mesh.Points.Boundary.RenumberedBy([&](PointId vertex) { return sources[std::size_t(vertex)]; });
-  ForEachChain(exact, simplified, own.size(),
+  ForEachChain(exact, made.Mesh.Points.Boundary.RenumberedBy(sourceOf), points.Own.size(),
     [&](std::vector<PointId> chain)
     {
-      std::transform(chain.begin(), chain.end(), chain.begin(), [&](PointId point) { return own[std::size_t(point)]; });
+      std::transform(chain.begin(), chain.end(), chain.begin(), ownAt);
       const std::uint64_t key = EdgeKeyOf(chain.front(), chain.back());
-      mesh.Chains.emplace(key, std::move(chain));
+      part.Chains.emplace(key, std::move(chain));
     });
   for (const DroppedPoint& dropped : made.Dropped)
   {
-    const PointId point = own[std::size_t(dropped.Point)];
-    if (states[std::size_t(point - first)] == State::Inside)
+    if (points.IsInside[std::size_t(dropped.Point)] != 0)
     {
-      mesh.Dropped.insert(point);
+      part.Dropped.insert(ownAt(dropped.Point));
     }
   }
-  std::transform(made.AddedToOutlines.begin(), made.AddedToOutlines.end(), std::back_inserter(mesh.AddedToOutlines),
-    [&](PointId point) { return own[std::size_t(point)]; });
-  return mesh;
+  std::transform(
+    made.AddedToOutlines.begin(), made.AddedToOutlines.end(), std::back_inserter(part.AddedToOutlines), ownAt);
+  return part;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

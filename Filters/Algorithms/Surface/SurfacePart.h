@@ -3,14 +3,16 @@
 //
 // Meshes a part of a horizon inside a boundary. Some of its edges may be those of other parts, and stay as they are.
 
-#ifndef SeismicHorizonsPartMesh_h
-#define SeismicHorizonsPartMesh_h
+#ifndef SeismicHorizonsSurfacePart_h
+#define SeismicHorizonsSurfacePart_h
 
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/DroppedPoints.h"
 #include "Common/Horizon/Types.h"
 #include "PointRows.h"
 #include "Surface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +27,7 @@ namespace SeismicHorizons
 using PartCorners = std::array<PointId, 3>;
 
 /// In points of the horizon.
-struct PartMesh
+struct SurfacePart
 {
   std::vector<PartCorners> Triangles;
   std::unordered_map<PointId, double> Heights; // of vertices, also former ones
@@ -36,7 +38,7 @@ struct PartMesh
 
   /// Forgets outlines with these keys, and points that were dropped there, except those that stay.
   void LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay);
-  void Add(const PartMesh& other);
+  void Add(const SurfacePart& other);
 };
 
 struct PartBoundary
@@ -57,7 +59,7 @@ public:
 
   /// The rows around the boundary that are needed.
   PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const;
-  PartMesh Mesh(PointWindow window, PartBoundary boundary, const Monitor& monitor) const;
+  SurfacePart Mesh(PointWindow window, PartBoundary boundary, const Monitor& monitor) const;
 
 private:
   enum class State : unsigned char
@@ -67,6 +69,22 @@ private:
     Inside
   };
 
+  struct PartPoints
+  {
+    PointId NumberOf(PointId point) const
+    {
+      return PointId(std::lower_bound(this->Own.begin(), this->Own.end(), point) - this->Own.begin());
+    }
+
+    std::vector<PointId> Own; // points of the horizon, ascending
+    std::vector<unsigned char> IsInside;
+    std::vector<PlanePoint> Columns;
+    std::vector<double> Height;
+    DroppedPoints Beside;
+  };
+
+  PartPoints Select(PointWindow window, const Loops& loops, const std::set<PointId>& dropped) const;
+  static SurfacePart ToPart(const PartPoints& points, const Loops& exact, const Surface& made);
   std::vector<State> FindStates(
     const PointWindow& window, const Loops& loops, const std::set<PointId>& dropped) const;
   void AddBeside(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "MeshErrors.h"
+#include "MeshFit.h"
 
 #include "Common/Base/Parallel.h"
 
@@ -31,7 +31,7 @@ bool OwnsColumn(const PlaneMesh& mesh, TriangleId triangle, const std::array<dou
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-MeshErrors::MeshErrors(const PlaneMesh& mesh, const std::vector<RaisedPoint>& vertices)
+MeshFit::MeshFit(const PlaneMesh& mesh, const std::vector<RaisedPoint>& vertices)
   : Errors(std::size_t(mesh.Size()), 0.0)
   , Mesh(mesh)
   , Vertices(vertices)
@@ -39,7 +39,7 @@ MeshErrors::MeshErrors(const PlaneMesh& mesh, const std::vector<RaisedPoint>& ve
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshErrors::Measure(
+void MeshFit::Measure(
   TriangleId first, TriangleId last, const RasterOf& rasterOf, const Assign& assign, const Monitor& monitor)
 {
   constexpr std::int64_t trianglesPerTask = 128;
@@ -69,14 +69,14 @@ void MeshErrors::Measure(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-RaisedTriangle MeshErrors::Corners(TriangleId triangle) const
+RaisedTriangle MeshFit::Corners(TriangleId triangle) const
 {
   const auto& [a, b, c] = this->Mesh.Corners(triangle);
   return { this->Vertices[a], this->Vertices[b], this->Vertices[c] };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshErrors::AddColumns(
+void MeshFit::AddColumns(
   TriangleId triangle, const HeightRaster& raster, const Assign& assign, Part& part) const
 {
   raster.ForEachColumn(this->Corners(triangle),
@@ -95,7 +95,7 @@ void MeshErrors::AddColumns(
 
 //----------------------------------------------------------------------------------------------------------------------
 // Dropped points on edges of loops are covered, too.
-void MeshErrors::AddDropped(TriangleId triangle, const HeightRaster& raster, Part& part) const
+void MeshFit::AddDropped(TriangleId triangle, const HeightRaster& raster, Part& part) const
 {
   for (int edge = 0; edge < 3; ++edge)
   {
@@ -121,7 +121,7 @@ void MeshErrors::AddDropped(TriangleId triangle, const HeightRaster& raster, Par
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshErrors::AddEdges(TriangleId triangle, const HeightRaster& raster, Part& part) const
+void MeshFit::AddEdges(TriangleId triangle, const HeightRaster& raster, Part& part) const
 {
   for (int edge = 0; edge < 3; ++edge)
   {

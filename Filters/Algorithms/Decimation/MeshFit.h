@@ -4,8 +4,8 @@
 // Measures a finished mesh against the points of a horizon, triangle by triangle, and finds the vertex that represents
 // each point.
 
-#ifndef SeismicHorizonsMeshErrors_h
-#define SeismicHorizonsMeshErrors_h
+#ifndef SeismicHorizonsMeshFit_h
+#define SeismicHorizonsMeshFit_h
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
@@ -22,7 +22,7 @@ namespace SeismicHorizons
 /// A column counts in sums for one triangle: on an edge for the lower number, at a vertex for none.
 bool OwnsColumn(const PlaneMesh& mesh, TriangleId triangle, const std::array<double, 3>& weights);
 
-class MeshErrors
+class MeshFit
 {
 public:
   /// Returns the raster of the points around a triangle.
@@ -31,7 +31,7 @@ public:
   using Assign = std::function<void(PointId, VertexId)>;
 
   /// Both must outlive this.
-  MeshErrors(const PlaneMesh& mesh, const std::vector<RaisedPoint>& vertices);
+  MeshFit(const PlaneMesh& mesh, const std::vector<RaisedPoint>& vertices);
 
   /// Triangles from the first to before the last, each once.
   void Measure(
