@@ -41,7 +41,8 @@ DataArray MakePoints(const Horizon& input, const Lattice& lattice, const Reducti
 /// VerticalIndex, which becomes double, weighted by PointCount, and other values of the nearest merged point.
 void WriteReduction(const Horizon& input, const Reduction& reduction, Horizon& output);
 
-/// The values of merged points that are added in parts, as of a horizon that is not in memory. Points have no PointCount.
+/// The values of merged points that are added in parts, as of a horizon that is not in memory. Points have no
+/// PointCount.
 class MergedParts
 {
 public:

@@ -6,7 +6,6 @@
 
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Horizon.h"
-#include "Common/Horizon/PlaneGeometry.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Decimation/DecimationStage.h"
 
@@ -35,23 +34,6 @@ struct SurfaceStageOptions : ReducedMeshOptions
 /// Fills both outputs, which have the field data: the mesh, and the outlines with all points. Returns warnings.
 std::vector<std::string> RunSurface(
   const Horizon& horizon, const SurfaceStageOptions& options, std::vector<Horizon>& outputs, const Monitor& monitor);
-
-/// The points of a horizon that is not in memory, as readers make them.
-class HorizonRows
-{
-public:
-  virtual ~HorizonRows() = default;
-  /// The columns of all points; empty without any.
-  virtual PlaneBox Box() const = 0;
-  virtual std::int64_t CountPoints(std::int32_t firstRow, std::int32_t lastRow) const = 0;
-  /// Returns the points of these rows, row by row. In the field data, duplicates and the ledger are those of these rows.
-  virtual Horizon Read(std::int32_t firstRow, std::int32_t lastRow) const = 0;
-};
-
-/// Fills the same mesh as of the points in memory. Throws InputError if the horizon must be meshed at once and has more
-/// than `mostAtOnce` points. Returns warnings.
-std::vector<std::string> RunSurfaceByRows(const HorizonRows& rows, const SurfaceStageOptions& options,
-  std::int64_t mostAtOnce, Horizon& mesh, const Monitor& monitor);
 }
 
 #endif

@@ -14,7 +14,7 @@
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/InputFile.h"
 #include "Filters/Algorithms/Gridding/Gridding.h"
-#include "Filters/Surface/SurfaceStage.h"
+#include "Filters/Surface/SurfaceByRows.h"
 #include "Readers/FaultLines/FaultLineFile.h"
 #include "Readers/FaultLines/FaultLineHorizon.h"
 #include "Readers/GOCADTSurf/TSurfHorizon.h"
@@ -322,8 +322,7 @@ public:
     return GiveNamed(horizons);
   }
 
-  /// Returns the mesh of a horizon, whose rows are read as needed, and warnings. Options are those of reading and of the
-  /// surface.
+  /// Returns the mesh of a horizon, whose rows are read as needed, and warnings.
   nb::tuple MakeSurface(std::size_t place, const nb::dict& chosen, const std::string& direction,
     const std::array<std::string, 4>& survey, const nb::dict& surface, std::int64_t mostAtOnce,
     const nb::object& progress)
