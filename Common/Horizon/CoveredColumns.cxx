@@ -178,7 +178,6 @@ Ledger CoveredColumns::Account(
     ledger[LedgerEntry::LeftOut] += isMoved ? 1 : 0;
   };
   kept.ForEachDropped(correct);
-  ledger[LedgerEntry::Bridged] = this->Count() - ledger.Covered();
   return ledger;
 }
 }

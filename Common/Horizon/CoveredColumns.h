@@ -27,8 +27,10 @@ public:
 
   /// Marks columns that are covered with 1.
   std::vector<unsigned char> Mark(PlanePoints columns) const;
-  /// `filled` has the array Filled, or is empty. Points that are not kept are left out even in covered columns.
+  /// `filled` has the array Filled, or is empty. Points that are not kept are left out even in covered columns. Ledgers of
+  /// some of the points each add up; Bridge() then counts the covered columns without points.
   Ledger Account(PlanePoints columns, const std::vector<unsigned char>& filled, const KeptPoints& kept) const;
+  void Bridge(Ledger& ledger) const { ledger[LedgerEntry::Bridged] = this->Count() - ledger.Covered(); }
 
 private:
   struct Run

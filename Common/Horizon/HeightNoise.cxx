@@ -18,12 +18,6 @@ namespace
 {
 constexpr std::int32_t LongestStride = 32;
 
-struct Differences
-{
-  std::vector<double> Second; // Absolute values.
-  double LeastStep = 1.0; // Between neighbours.
-};
-
 /// The golden ratio spreads the sample, since noise may repeat with the rows.
 std::vector<std::size_t> SamplePoints(std::size_t points)
 {
@@ -38,31 +32,6 @@ std::vector<std::size_t> SamplePoints(std::size_t points)
     sample.push_back(std::min(first + std::size_t(part * double(group)), points - 1));
   }
   return sample;
-}
-
-/// Uses the least stride at which one in a hundred points has both neighbours.
-Differences Measure(const ColumnIndex& index, const std::vector<double>& heights, const PlanePoint& axis, double digits)
-{
-  const PlanePoints columns = index.Columns();
-  const std::vector<std::size_t> sample = SamplePoints(columns.size());
-  Differences found;
-  for (std::int32_t stride = 1; stride <= LongestStride && 100 * found.Second.size() < sample.size(); ++stride)
-  {
-    found = Differences();
-    for (const std::size_t point : sample)
-    {
-      const PlanePoint& column = columns[point];
-      const PointId before = index.PointAt({ column.X - stride * axis.X, column.Y - stride * axis.Y });
-      const PointId after = index.PointAt({ column.X + stride * axis.X, column.Y + stride * axis.Y });
-      if (before != NoPoint && after != NoPoint)
-      {
-        const double rise = heights[point] - heights[before];
-        found.Second.push_back(std::abs(heights[after] - heights[point] - rise));
-        found.LeastStep = std::abs(rise) > digits ? std::min(found.LeastStep, std::abs(rise)) : found.LeastStep;
-      }
-    }
-  }
-  return found;
 }
 
 /// Estimates the deviation from the median of second differences, which ignores spikes and steps, or from their root
@@ -88,14 +57,97 @@ HeightNoise MeasureHeightNoise(PlanePoints columns, const std::vector<double>& h
   {
     return {};
   }
-  const double digits = 1e-6 * // Single precision.
-    std::abs(
-      *std::max_element(heights.begin(), heights.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
   const ColumnIndex index(columns, 1, LongestStride);
-  const Differences alongX = Measure(index, heights, { 1, 0 }, digits);
-  const Differences alongY = Measure(index, heights, { 0, 1 }, digits);
-  const double rounding = std::min(alongX.LeastStep, alongY.LeastStep) / std::sqrt(12.0);
-  const double noise = std::max(NoiseOf(alongX.Second), NoiseOf(alongY.Second));
+  NoiseSampler sampler(columns.size());
+  do
+  {
+    sampler.Add(index, heights, 0, 0, columns.size());
+  } while (!sampler.Finish());
+  return sampler.Noise();
+}
+
+// ---- NoiseSampler ---------------------------------------------------------------------------------------------------
+
+//----------------------------------------------------------------------------------------------------------------------
+NoiseSampler::NoiseSampler(std::size_t points)
+  : Sample(SamplePoints(points))
+{
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NoiseSampler::Add(
+  const ColumnIndex& index, const std::vector<double>& heights, std::size_t before, std::size_t first, std::size_t end)
+{
+  for (std::size_t point = first; point < end; ++point)
+  {
+    this->LargestHeight = std::max(this->LargestHeight, std::abs(heights[point - before]));
+  }
+  for (auto point = std::lower_bound(this->Sample.begin(), this->Sample.end(), first);
+       point != this->Sample.end() && *point < end; ++point)
+  {
+    this->Measure(index, heights, before, *point, this->AlongX);
+    this->Measure(index, heights, before, *point, this->AlongY);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void NoiseSampler::Measure(const ColumnIndex& index, const std::vector<double>& heights, std::size_t before,
+  std::size_t point, Differences& along) const
+{
+  if (along.IsMeasured)
+  {
+    return;
+  }
+  const PlanePoint& column = index.Columns()[point - before];
+  const PlanePoint step = { along.Stride * along.Axis.X, along.Stride * along.Axis.Y };
+  const PointId last = index.PointAt({ column.X - step.X, column.Y - step.Y });
+  const PointId next = index.PointAt({ column.X + step.X, column.Y + step.Y });
+  if (last != NoPoint && next != NoPoint)
+  {
+    const double rise = heights[point - before] - heights[std::size_t(last)];
+    along.Second.push_back(std::abs(heights[std::size_t(next)] - heights[point - before] - rise));
+    along.Steps.push_back(std::abs(rise));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+bool NoiseSampler::Finish()
+{
+  this->Widen(this->AlongX);
+  this->Widen(this->AlongY);
+  return this->AlongX.IsMeasured && this->AlongY.IsMeasured;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The least stride is used at which one in a hundred points has both neighbours.
+void NoiseSampler::Widen(Differences& along) const
+{
+  along.IsMeasured = along.Stride == LongestStride || 100 * along.Second.size() >= this->Sample.size();
+  if (!along.IsMeasured)
+  {
+    ++along.Stride;
+    along.Second.clear();
+    along.Steps.clear();
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double NoiseSampler::LeastStep(const Differences& along) const
+{
+  const double digits = 1e-6 * this->LargestHeight; // Single precision.
+  double least = 1.0;
+  for (const double step : along.Steps)
+  {
+    least = step > digits ? std::min(least, step) : least;
+  }
+  return least;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightNoise NoiseSampler::Noise() const
+{
+  const double rounding = std::min(this->LeastStep(this->AlongX), this->LeastStep(this->AlongY)) / std::sqrt(12.0);
+  const double noise = std::max(NoiseOf(this->AlongX.Second), NoiseOf(this->AlongY.Second));
   return { std::max(noise, rounding), noise <= rounding };
 }
 }

@@ -8,10 +8,15 @@
 
 #include "Types.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace SeismicHorizons
 {
+class ColumnIndex;
+
 /// The value of a maximum error that stands for one that is chosen.
 constexpr double AutomaticError = -1.0;
 
@@ -28,6 +33,47 @@ struct HeightNoise
 /// Second differences give the noise along the rougher axis, as interpolated lines are smooth along the other. Rounding
 /// is the least difference of neighbours, at most 1, over the root of 12.
 HeightNoise MeasureHeightNoise(PlanePoints columns, const std::vector<double>& heights);
+
+/// Measures the same of points that are added in parts, row by row, several times if neighbours are far apart.
+class NoiseSampler
+{
+public:
+  explicit NoiseSampler(std::size_t points);
+
+  /// The points that are measured, from `first` to before `end`, need so many rows beside them.
+  std::int32_t Rim() const { return std::max(this->AlongX.Stride, this->AlongY.Stride); }
+  /// The points of the index are numbered from `before` on.
+  void Add(const ColumnIndex& index, const std::vector<double>& heights, std::size_t before, std::size_t first,
+    std::size_t end);
+  /// Called after all points; returns false if they must be added again.
+  bool Finish();
+  HeightNoise Noise() const;
+
+private:
+  struct Differences
+  {
+    explicit Differences(PlanePoint axis)
+      : Axis(axis)
+    {
+    }
+
+    PlanePoint Axis;
+    std::int32_t Stride = 1; // of the neighbours
+    bool IsMeasured = false;
+    std::vector<double> Second; // absolute values
+    std::vector<double> Steps; // between neighbours
+  };
+
+  void Measure(const ColumnIndex& index, const std::vector<double>& heights, std::size_t before, std::size_t point,
+    Differences& along) const;
+  void Widen(Differences& along) const;
+  double LeastStep(const Differences& along) const;
+
+  std::vector<std::size_t> Sample; // ascending
+  double LargestHeight = 0.0; // absolute value
+  Differences AlongX{ PlanePoint{ 1, 0 } };
+  Differences AlongY{ PlanePoint{ 0, 1 } };
+};
 }
 
 #endif

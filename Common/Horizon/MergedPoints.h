@@ -30,6 +30,27 @@ Eigen::Vector3d WorldPlace(const Reduction& reduction, std::size_t target, const
   return lattice.ToWorld({ place.X * perSubVoxel, place.Y * perSubVoxel, reduction.Height[target] });
 }
 
+/// The mean of finite values, which depends on their order by rounding.
+struct FiniteMean
+{
+  double Sum = 0.0;
+  double Weights = 0.0;
+
+  void Add(double value, std::int64_t count)
+  {
+    if (std::isfinite(value))
+    {
+      this->Sum += double(count) * value;
+      this->Weights += double(count);
+    }
+  }
+  template <typename Otherwise>
+  double Value(Otherwise&& otherwise) const
+  {
+    return this->Weights > 0.0 ? this->Sum / this->Weights : otherwise();
+  }
+};
+
 /// The input points of each output point, in ascending order.
 class MergedPoints
 {
@@ -66,21 +87,15 @@ public:
   template <typename ValueOf>
   double Average(std::int64_t target, ValueOf&& valueOf) const
   {
-    double sum = 0.0;
-    double weights = 0.0;
+    FiniteMean mean;
     const auto addAll = [&](bool isWeighted)
     {
       std::int64_t counts = 0;
       for (const PointId* point = this->Points.begin(target); point < this->Points.end(target); ++point)
       {
         const std::int64_t count = isWeighted ? this->Count(*point) : 1;
-        const double value = valueOf(*point);
         counts += count;
-        if (std::isfinite(value))
-        {
-          sum += double(count) * value;
-          weights += double(count);
-        }
+        mean.Add(valueOf(*point), count);
       }
       return counts > 0;
     };
@@ -88,7 +103,7 @@ public:
     {
       addAll(false);
     }
-    return weights > 0.0 ? sum / weights : valueOf(this->Merged.Source[target]);
+    return mean.Value([&]() { return valueOf(this->Merged.Source[target]); });
   }
 
 private:

@@ -49,7 +49,7 @@ std::vector<std::string> RunBoundary(
   auto found = FindExteriorBoundary(points.Column, OptionsFor(options.Type, options), monitor.Step(0.3, 0.9));
   if (found.NumberOfPatches == 0)
   {
-    warnings.push_back(NothingLeft(input, options.MinimumPatchSize));
+    warnings.push_back(NothingLeft(input.NumberOfPoints(), options.MinimumPatchSize));
   }
   const std::vector<BoundaryKind> marks = MarkBoundary(options.Type, points.Column, found);
   const KeptPoints kept = DropPointsWithoutPatch(found);
@@ -73,7 +73,13 @@ void WriteBoundary(const Horizon& input, const KeptPoints& kept, const ExteriorB
   AddArray<unsigned char>(
     output.PointData, PointArray::Boundary, marks, [](BoundaryKind kind) { return static_cast<unsigned char>(kind); });
   output.PointData.SetActiveScalars(PointArray::PatchId);
-  ArrayTable& figures = output.FieldData;
+  WriteBoundaryFigures(boundary, input.NumberOfPoints() - std::int64_t(kept.size()), output.FieldData);
+  WriteCracks(boundary.OpenCracks, output);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteBoundaryFigures(const ExteriorBoundary& boundary, std::int64_t droppedPoints, ArrayTable& figures)
+{
   for (const char* const name : { FieldArray::BoundaryDeviation, FieldArray::OutlineDeviation,
          FieldArray::OutlineHeightDeviation, FieldArray::NumberOfOutsidePoints })
   {
@@ -82,9 +88,7 @@ void WriteBoundary(const Horizon& input, const KeptPoints& kept, const ExteriorB
   AddValue<std::int64_t>(figures, FieldArray::NumberOfPatches, std::int64_t(boundary.NumberOfPatches));
   AddValue<std::int64_t>(
     figures, FieldArray::NumberOfHoles, std::int64_t(boundary.Boundary.Size() - boundary.NumberOfPatches));
-  AddValue<std::int64_t>(
-    figures, FieldArray::DroppedSmallPatchPoints, input.NumberOfPoints() - std::int64_t(kept.size()));
-  WriteCracks(boundary.OpenCracks, output);
+  AddValue<std::int64_t>(figures, FieldArray::DroppedSmallPatchPoints, droppedPoints);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -98,9 +102,9 @@ void RemoveCuts(Horizon& output)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::string NothingLeft(const Horizon& input, std::int64_t minimumPatchSize)
+std::string NothingLeft(std::int64_t numberOfPoints, std::int64_t minimumPatchSize)
 {
-  return "none of the " + std::to_string(input.NumberOfPoints()) + " points is in a patch of MinimumPatchSize, " +
+  return "none of the " + std::to_string(numberOfPoints) + " points is in a patch of MinimumPatchSize, " +
     std::to_string(minimumPatchSize) + " points, or more";
 }
 }

@@ -33,11 +33,13 @@ std::vector<std::string> RunBoundary(
 void WriteBoundary(const Horizon& input, const KeptPoints& kept, const ExteriorBoundary& boundary,
   const std::vector<BoundaryKind>& marks, Horizon& output);
 
+void WriteBoundaryFigures(const ExteriorBoundary& boundary, std::int64_t droppedPoints, ArrayTable& figures);
+
 /// Also removes the cracks along faulted links.
 void RemoveCuts(Horizon& output);
 
 /// Returns the warning for a horizon without a patch of `minimumPatchSize` points.
-std::string NothingLeft(const Horizon& input, std::int64_t minimumPatchSize);
+std::string NothingLeft(std::int64_t numberOfPoints, std::int64_t minimumPatchSize);
 }
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "Common/Horizon/DataArray.h"
 #include "Common/Horizon/DataModel.h"
-#include "Common/Horizon/PlaneGeometry.h"
 
 #include <algorithm>
 #include <cassert>
@@ -30,13 +29,18 @@ double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<do
   if (unit == HeightUnit::Diagonal)
   {
     assert(height.size() == columns.size() && !height.empty());
-    const PlaneBox box(columns);
     const auto ends = std::minmax_element(height.begin(), height.end());
-    const Eigen::Vector3d diagonal(
-      double(box.Greatest.X) - box.Least.X, double(box.Greatest.Y) - box.Least.Y, *ends.second - *ends.first);
-    return diagonal.norm();
+    return LengthOfDiagonal(PlaneBox(columns), *ends.first, *ends.second);
   }
   return 1.0;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+double LengthOfDiagonal(const PlaneBox& columns, double leastHeight, double greatestHeight)
+{
+  return Eigen::Vector3d(double(columns.Greatest.X) - columns.Least.X, double(columns.Greatest.Y) - columns.Least.Y,
+    greatestHeight - leastHeight)
+    .norm();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "Common/Horizon/DataArray.h"
 #include "Common/Horizon/HeightNoise.h"
 #include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Types.h"
 
 #include <optional>
@@ -33,6 +34,8 @@ double WorldPerIndex(const Lattice& lattice);
 
 /// The columns and heights of all points give the diagonal.
 double IndicesPerUnit(HeightUnit unit, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
+
+double LengthOfDiagonal(const PlaneBox& columns, double leastHeight, double greatestHeight);
 
 /// The noise is in vertical indices.
 void WriteHeightNoise(const HeightNoise& noise, ArrayTable& figures);

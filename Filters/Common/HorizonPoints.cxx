@@ -26,25 +26,6 @@ bool IsVisible(unsigned char ghost)
 {
   return (ghost & (GhostMark::Copy | GhostMark::HiddenPoint)) == 0;
 }
-
-/// Slope of height over vertical index, in a sample of the points; 1 without indices, or if points are too level.
-double MeasureStretch(const Horizon& horizon, const std::function<double(std::int64_t)>& height)
-{
-  const DataArray* const index = FindNumbers(horizon.PointData, PointArray::VerticalIndex);
-  const std::int64_t size = horizon.NumberOfPoints();
-  if (!index || index->Tuples() != size)
-  {
-    return 1.0;
-  }
-  constexpr std::int64_t enough = 1000;
-  std::vector<Eigen::Vector2d> pairs;
-  for (std::int64_t point = 0; point < size; point += size / enough + 1)
-  {
-    pairs.emplace_back(index->At(point, 0), height(point));
-  }
-  constexpr double LeastDeviation = 2.0; // vertical indices; below this, rounding and real z could dominate.
-  return FitSlope(pairs, LeastDeviation).value_or(1.0);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -105,9 +86,36 @@ void ActivateHeight(Horizon& horizon)
 //----------------------------------------------------------------------------------------------------------------------
 void CheckHeights(const Horizon& horizon, const std::function<double(std::int64_t)>& height)
 {
+  HeightCheck check(horizon.NumberOfPoints());
+  check.Add(horizon, height, 0, 0, horizon.NumberOfPoints());
+  check.Finish();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Points without indices are right.
+void HeightCheck::Add(const Horizon& horizon, const std::function<double(std::int64_t)>& height, std::int64_t before,
+  std::int64_t first, std::int64_t end)
+{
+  const DataArray* const index = FindNumbers(horizon.PointData, PointArray::VerticalIndex);
+  if (!index || index->Tuples() != horizon.NumberOfPoints())
+  {
+    return;
+  }
+  for (std::int64_t point = (first + this->Step - 1) / this->Step * this->Step; point < end; point += this->Step)
+  {
+    this->Sample.emplace_back(index->At(point - before, 0), height(point - before));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Vertical indices must deviate by more than rounding and real z could.
+void HeightCheck::Finish() const
+{
+  constexpr double LeastDeviation = 2.0; // vertical indices
   // RealZ may differ from the vertical index, but in a survey their ratio is about constant.
   constexpr double MostStretch = 2.0;
-  const double stretch = MeasureStretch(horizon, height);
+  const double stretch =
+    this->Sample.empty() ? 1.0 : FitSlope(this->Sample, LeastDeviation).value_or(1.0);
   if (stretch < 1.0 / MostStretch || stretch > MostStretch)
   {
     std::ostringstream text;

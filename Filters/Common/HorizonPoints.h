@@ -32,6 +32,29 @@ void CopyPoints(const Horizon& input, const KeptPoints& kept, Horizon& output);
 /// the lattice in the field data.
 void CheckHeights(const Horizon& horizon, const std::function<double(std::int64_t)>& height);
 
+/// Checks the same for points that are added in parts, in their order.
+class HeightCheck
+{
+public:
+  /// of all parts
+  explicit HeightCheck(std::int64_t points)
+    : Step(points / EnoughPoints + 1)
+  {
+  }
+
+  /// Adds the points from number `first` to before `end`, which are numbered from `before` on.
+  void Add(const Horizon& horizon, const std::function<double(std::int64_t)>& height, std::int64_t before,
+    std::int64_t first, std::int64_t end);
+  /// Throws InputError.
+  void Finish() const;
+
+private:
+  static constexpr std::int64_t EnoughPoints = 1000;
+
+  std::int64_t Step;
+  std::vector<Eigen::Vector2d> Sample; // vertical indices and heights
+};
+
 /// Fits y over x by least squares; empty unless the standard deviation of x exceeds the least one.
 std::optional<double> FitSlope(const std::vector<Eigen::Vector2d>& pairs, double leastDeviation);
 

@@ -26,10 +26,7 @@ namespace
 void CheckPoints(const Horizon& horizon)
 {
   const std::int64_t size = horizon.NumberOfPoints();
-  if (size > std::numeric_limits<PointId>::max() / 4)
-  {
-    throw InputError(std::to_string(size) + " points, expected less than 2^29 in one horizon");
-  }
+  CheckNumberOfPoints(size);
   const std::int64_t hidden = size - CountVisiblePoints(horizon);
   if (hidden > 0)
   {
@@ -146,9 +143,14 @@ public:
     {
       this->MakeExactPoints();
     }
-    CheckHeights(
-      this->Result.Horizon, [this](std::int64_t point) { return this->Result.HeightAt(std::size_t(point)); });
     return std::move(this->Result);
+  }
+
+  LatticePoints RunAndCheck()
+  {
+    LatticePoints points = this->Run();
+    CheckHeights(points.Horizon, [&points](std::int64_t point) { return points.HeightAt(std::size_t(point)); });
+    return points;
   }
 
 private:
@@ -313,13 +315,28 @@ double LatticePoints::HeightAt(std::size_t point) const
 //----------------------------------------------------------------------------------------------------------------------
 LatticePoints ReadColumns(const Horizon& horizon, KeptHeights heights)
 {
-  return ColumnFinder(horizon, false, heights).Run();
+  return ColumnFinder(horizon, false, heights).RunAndCheck();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 LatticePoints ReadPoints(const Horizon& horizon, KeptHeights heights)
 {
-  return ColumnFinder(horizon, true, heights).Run();
+  return ColumnFinder(horizon, true, heights).RunAndCheck();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckNumberOfPoints(std::int64_t size)
+{
+  if (size > std::numeric_limits<PointId>::max() / 4)
+  {
+    throw InputError(std::to_string(size) + " points, expected less than 2^29 in one horizon");
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+LatticePoints ReadColumnsOfPart(const Horizon& part)
+{
+  return ColumnFinder(part, false, KeptHeights::All).Run();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

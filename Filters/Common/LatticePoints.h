@@ -12,6 +12,7 @@
 #include "Common/Horizon/Types.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,12 @@ enum class KeptHeights
 /// Points must be visible, unmerged, and at columns to 0.01 or the rounding of single precision. Without a valid array
 /// Column, nearest columns are used.
 LatticePoints ReadColumns(const Horizon& horizon, KeptHeights heights = KeptHeights::All);
+
+/// The same for a part of a horizon, whose heights are checked together with others (HeightCheck).
+LatticePoints ReadColumnsOfPart(const Horizon& part);
+
+/// Throws InputError unless there are less than 2^29.
+void CheckNumberOfPoints(std::int64_t size);
 
 /// Points may be merged. Without the array Column, if any point is beside a column, all but those exactly at one count
 /// as merged.

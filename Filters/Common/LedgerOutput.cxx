@@ -22,22 +22,40 @@ std::int64_t CountLeftOut(const std::optional<Ledger>& before, const Ledger& poi
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void PointLedger::Add(const Horizon& points, PlanePoints columns, const KeptPoints& kept)
+{
+  this->Counted.Add(this->Covered.Account(columns, ReadFilled(points), kept));
+  this->Points.Add(CountPoints(points));
+  if (const std::optional<Ledger> given = ReadLedger(points.FieldData))
+  {
+    this->Given = this->Given.value_or(Ledger());
+    this->Given->Add(*given);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void PointLedger::Write(ArrayTable& figures) const
+{
+  Ledger ledger = this->Counted;
+  this->Covered.Bridge(ledger);
+  ledger[LedgerEntry::LeftOut] += CountLeftOut(this->Given, this->Points);
+  WriteLedger(ledger, figures);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void WriteLedger(const LatticePoints& points, const KeptPoints& kept, const CoveredColumns& covered, Horizon& output)
 {
   const ArrayTable& given = points.Horizon.FieldData;
   std::optional<Ledger> ledger = ReadLedger(given);
   if (!points.AreMerged && !given.Has(FieldArray::BoundaryDeviation))
   {
-    const std::int64_t before = CountLeftOut(ledger, CountPoints(points.Horizon));
-    ledger = covered.Account(points.Column, ReadFilled(points.Horizon), kept);
-    (*ledger)[LedgerEntry::LeftOut] += before;
+    PointLedger all(covered);
+    all.Add(points.Horizon, points.Column, kept);
+    all.Write(output.FieldData);
   }
   else if (ledger)
   {
     ledger->CoverOnly(covered.Count());
-  }
-  if (ledger)
-  {
     WriteLedger(*ledger, output.FieldData);
   }
 }

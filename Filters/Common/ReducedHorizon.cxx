@@ -26,24 +26,24 @@ bool IsAveraged(const DataArray& array)
   return array.IsFloating() || (!array.IsText() && array.Name == PointArray::VerticalIndex);
 }
 
-template <typename T>
-DataArray AverageAs(const DataArray& array, const MergedPoints& points)
+/// meanOf(numbers, target, component) has the numbers of the array.
+template <typename T, typename MeanOf>
+DataArray AverageAs(const DataArray& array, std::int64_t size, MeanOf&& meanOf)
 {
   const int components = array.Components();
-  DataArray means = NewArray<T>(array.Name.c_str(), points.Size(), components);
+  DataArray means = NewArray<T>(array.Name.c_str(), size, components);
   means.ComponentNames = array.ComponentNames;
   means.Role = array.Role;
   T* const to = means.As<T>();
   array.WithNumbers(
     [&](const auto* from)
     {
-      ParallelFor(points.Size(), Grain,
+      ParallelFor(size, Grain,
         [&](std::int64_t first, std::int64_t last)
         {
           for (std::int64_t n = first * components; n < last * components; ++n)
           {
-            to[n] = static_cast<T>(points.Average(
-              n / components, [&](PointId point) { return double(from[components * point + n % components]); }));
+            to[n] = static_cast<T>(meanOf(from, n / components, int(n % components)));
           }
         });
     });
@@ -51,9 +51,11 @@ DataArray AverageAs(const DataArray& array, const MergedPoints& points)
 }
 
 /// Means of float arrays are float, and double otherwise.
-DataArray Average(const DataArray& array, const MergedPoints& points)
+template <typename MeanOf>
+DataArray Average(const DataArray& array, std::int64_t size, MeanOf&& meanOf)
 {
-  return array.Type() == ValueType::Float ? AverageAs<float>(array, points) : AverageAs<double>(array, points);
+  return array.Type() == ValueType::Float ? AverageAs<float>(array, size, meanOf)
+                                          : AverageAs<double>(array, size, meanOf);
 }
 
 void ReduceAttributes(
@@ -63,7 +65,29 @@ void ReduceAttributes(
   std::for_each(sources.begin(), sources.end(), [&nearest](PointId point) { nearest.Append(point); });
   for (const DataArray& array : input.PointData)
   {
-    output.PointData.Add(IsAveraged(array) ? Average(array, points) : array.Select(nearest));
+    const int components = array.Components();
+    const auto meanOf = [&](const auto* numbers, std::int64_t target, int component)
+    {
+      return points.Average(
+        target, [&](PointId point) { return double(numbers[std::int64_t(components) * point + component]); });
+    };
+    output.PointData.Add(IsAveraged(array) ? Average(array, points.Size(), meanOf) : array.Select(nearest));
+  }
+}
+
+/// `nearest` has a point for each output point.
+void ReduceAttributes(const Horizon& nearest, const MergedParts& merged, const Reduction& reduction, Horizon& output)
+{
+  for (const DataArray& array : nearest.PointData)
+  {
+    const std::vector<FiniteMean>* const means = merged.FindMeans(array.Name);
+    const auto meanOf = [&](const auto* numbers, std::int64_t target, int component)
+    {
+      const std::int64_t n = target * array.Components() + component;
+      const auto own = [&]() { return double(numbers[n]); };
+      return reduction.Averaged[std::size_t(target)] != 0 ? (*means)[std::size_t(n)].Value(own) : own();
+    };
+    output.PointData.Add(means ? Average(array, nearest.NumberOfPoints(), meanOf) : array);
   }
 }
 
@@ -133,19 +157,29 @@ DataArray AddDropped(const std::vector<std::int64_t>& counts, const KeptPoints& 
   return sums;
 }
 
-DataArray SumCounts(const MergedPoints& points)
+template <typename CountOf>
+void WriteCounts(std::int64_t size, CountOf&& countOf, Horizon& output)
 {
-  DataArray sums = NewArray<std::int64_t>(PointArray::PointCount, points.Size());
+  DataArray sums = NewArray<std::int64_t>(PointArray::PointCount, size);
   auto* const values = sums.As<std::int64_t>();
-  ParallelFor(points.Size(), Grain,
+  ParallelFor(size, Grain,
     [&](std::int64_t first, std::int64_t last)
     {
       for (std::int64_t target = first; target < last; ++target)
       {
-        values[target] = points.SumCounts(target);
+        values[target] = countOf(target);
       }
     });
-  return sums;
+  output.PointData.Add(std::move(sums));
+}
+
+/// `output` has the arrays of the nearest points and means.
+void AdaptToReduction(const Reduction& reduction, Horizon& output)
+{
+  output.Vertices = MakeVertices(output.NumberOfPoints());
+  output.Lines = MakePolylines(reduction.Boundary);
+  UnmarkInside(reduction.Boundary, output);
+  WriteColumns(reduction, output);
 }
 }
 
@@ -173,16 +207,14 @@ void WriteReduction(const Horizon& input, const Reduction& reduction, Horizon& o
 {
   assert(output.NumberOfPoints() == std::int64_t(reduction.Source.size()));
   assert(input.NumberOfPoints() == std::int64_t(reduction.Target.size()));
-  output.Vertices = MakeVertices(output.NumberOfPoints());
-  output.Lines = MakePolylines(reduction.Boundary);
   ArrayTable& data = output.PointData;
   const MergedPoints points(reduction, ReadCounts(input));
   ReduceAttributes(input, reduction.Source, points, output);
-  UnmarkInside(reduction.Boundary, output);
-  WriteColumns(reduction, output);
+  AdaptToReduction(reduction, output);
   if (input.PointData.Has(PointArray::PointCount) || output.NumberOfPoints() < input.NumberOfPoints())
   {
-    data.Add(SumCounts(points));
+    WriteCounts(
+      points.Size(), [&points](std::int64_t target) { return points.SumCounts(target); }, output);
   }
   if (!reduction.Origin.empty())
   {
@@ -192,6 +224,76 @@ void WriteReduction(const Horizon& input, const Reduction& reduction, Horizon& o
   {
     AddArray<double>(data, PointArray::Flatness, reduction.Flatness);
   }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteReduction(const Horizon& nearest, const MergedParts& merged, const Reduction& reduction, Horizon& output)
+{
+  assert(output.NumberOfPoints() == nearest.NumberOfPoints() && reduction.Origin.empty() && reduction.Flatness.empty());
+  ReduceAttributes(nearest, merged, reduction, output);
+  AdaptToReduction(reduction, output);
+  if (output.NumberOfPoints() < merged.NumberOfPoints())
+  {
+    WriteCounts(
+      output.NumberOfPoints(), [&merged](std::int64_t target) { return merged.CountOf(target); }, output);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void MergedParts::Add(const ArrayTable& points, const PointId* targets, std::int64_t size)
+{
+  const auto addAll = [&](int components, auto& values, auto&& add)
+  {
+    for (std::int64_t point = 0; point < size; ++point)
+    {
+      if (targets[point] != NoPoint)
+      {
+        const std::size_t first = std::size_t(targets[point]) * std::size_t(components);
+        if (first + std::size_t(components) > values.size())
+        {
+          values.resize(first + std::size_t(components));
+        }
+        add(point, &values[first]);
+      }
+    }
+  };
+  addAll(1, this->Counts, [](std::int64_t, std::int64_t* count) { ++*count; });
+  this->Merged += size - std::count(targets, targets + size, NoPoint);
+  std::vector<std::pair<const DataArray*, std::vector<FiniteMean>*>> averaged;
+  for (const DataArray& array : points)
+  {
+    if (IsAveraged(array))
+    {
+      averaged.emplace_back(&array, &this->Means[array.Name]);
+    }
+  }
+  ParallelFor(std::int64_t(averaged.size()), 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        const int components = averaged[std::size_t(n)].first->Components();
+        averaged[std::size_t(n)].first->WithNumbers(
+          [&](const auto* numbers)
+          {
+            addAll(components, *averaged[std::size_t(n)].second,
+              [&](std::int64_t point, FiniteMean* means)
+              {
+                for (int component = 0; component < components; ++component)
+                {
+                  means[component].Add(double(numbers[point * components + component]), 1);
+                }
+              });
+          });
+      }
+    });
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+const std::vector<FiniteMean>* MergedParts::FindMeans(const std::string& name) const
+{
+  const auto found = this->Means.find(name);
+  return found == this->Means.end() ? nullptr : &found->second;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

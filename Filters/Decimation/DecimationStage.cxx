@@ -11,10 +11,10 @@
 #include "Filters/Common/HorizonCells.h"
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
-#include "Filters/Common/ReducedHorizon.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace SeismicHorizons
@@ -40,6 +40,24 @@ DecimationOptions MakeDecimationOptions(
       std::max({ std::size_t(points), std::size_t(1), horizon.Boundary.CountPoints(horizon.Columns.size()) });
   }
   return options;
+}
+
+void WriteTrianglesAndFigures(const Lattice& lattice, Decimation& decimation, Horizon& output)
+{
+  ActivateHeight(output);
+  output.Vertices = Cells();
+  const double smallestAngle =
+    WriteTriangles(decimation.Points.Plane, lattice, std::move(decimation.Triangles), output);
+  AddTriangleArray<double>(CellArray::Error, decimation.Errors, output);
+  ArrayTable& figures = output.FieldData;
+  AddValue<double>(figures, FieldArray::LargestError, decimation.LargestError);
+  AddValue<double>(figures, FieldArray::MeanError, decimation.MeanError);
+  AddValue<double>(figures, FieldArray::LargestEdgeError, decimation.LargestEdgeError);
+  AddValue<double>(figures, FieldArray::LargestLoopError,
+    std::max(decimation.LargestLoopError, FirstValue(figures, FieldArray::OutlineHeightDeviation)));
+  AddValue<std::int64_t>(figures, FieldArray::TriangleCount, output.Polygons.Size());
+  AddValue<double>(figures, FieldArray::SmallestAngle, smallestAngle);
+  AddValue<std::int64_t>(figures, FieldArray::SliverCount, std::int64_t(decimation.NumberOfSlivers));
 }
 }
 
@@ -86,8 +104,14 @@ ErrorLimit FindMaximumError(
     const HeightNoise noise = MeasureHeightNoise(columns, height);
     return { noise.MaximumError(), noise };
   }
-  CheckAtLeast("maximum error", *options.MaximumError, 0.0, ", or -1 for automatic");
+  CheckMaximumError(*options.MaximumError);
   return { *options.MaximumError * IndicesPerUnit(options.ErrorUnit, columns, height, lattice), std::nullopt };
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CheckMaximumError(double error)
+{
+  CheckAtLeast("maximum error", error, 0.0, ", or -1 for automatic");
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -95,19 +119,16 @@ void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimat
 {
   output.Places = MakePoints(input, lattice, decimation.Points);
   WriteReduction(input, decimation.Points, output);
-  ActivateHeight(output);
-  output.Vertices = Cells();
-  const double smallestAngle =
-    WriteTriangles(decimation.Points.Plane, lattice, std::move(decimation.Triangles), output);
-  AddTriangleArray<double>(CellArray::Error, decimation.Errors, output);
-  ArrayTable& figures = output.FieldData;
-  AddValue<double>(figures, FieldArray::LargestError, decimation.LargestError);
-  AddValue<double>(figures, FieldArray::MeanError, decimation.MeanError);
-  AddValue<double>(figures, FieldArray::LargestEdgeError, decimation.LargestEdgeError);
-  AddValue<double>(figures, FieldArray::LargestLoopError,
-    std::max(decimation.LargestLoopError, FirstValue(figures, FieldArray::OutlineHeightDeviation)));
-  AddValue<std::int64_t>(figures, FieldArray::TriangleCount, output.Polygons.Size());
-  AddValue<double>(figures, FieldArray::SmallestAngle, smallestAngle);
-  AddValue<std::int64_t>(figures, FieldArray::SliverCount, std::int64_t(decimation.NumberOfSlivers));
+  WriteTrianglesAndFigures(lattice, decimation, output);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void WriteMesh(const Horizon& nearest, const MergedParts& merged, const Lattice& lattice, Decimation& decimation,
+  Horizon& output)
+{
+  std::iota(decimation.Points.Source.begin(), decimation.Points.Source.end(), 0);
+  output.Places = MakePoints(nearest, lattice, decimation.Points);
+  WriteReduction(nearest, merged, decimation.Points, output);
+  WriteTrianglesAndFigures(lattice, decimation, output);
 }
 }

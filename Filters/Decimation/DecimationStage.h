@@ -9,6 +9,7 @@
 #include "Common/Horizon/Lattice.h"
 #include "Filters/Algorithms/Decimation/Decimation.h"
 #include "Filters/Common/HeightUnit.h"
+#include "Filters/Common/ReducedHorizon.h"
 
 #include <cstdint>
 #include <optional>
@@ -46,8 +47,15 @@ void RunDecimation(
 ErrorLimit FindMaximumError(
   const ReducedMeshOptions& options, PlanePoints columns, const std::vector<double>& height, const Lattice& lattice);
 
+/// Throws InputError below 0.
+void CheckMaximumError(double error);
+
 /// Writes vertices, triangles and figures. Moves the triangles out of the decimation.
 void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimation, Horizon& output);
+
+/// The same for input points in parts: `nearest` has the source of each vertex.
+void WriteMesh(const Horizon& nearest, const MergedParts& merged, const Lattice& lattice, Decimation& decimation,
+  Horizon& output);
 }
 
 #endif

@@ -3,15 +3,14 @@
 
 #include "SurfaceStage.h"
 
-#include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
 #include "Filters/Algorithms/Surface/Surface.h"
 #include "Filters/Boundary/BoundaryStage.h"
-#include "Filters/Common/CrackData.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LedgerOutput.h"
+#include "SurfaceFigures.h"
 
 #include <utility>
 
@@ -21,44 +20,6 @@ namespace
 {
 constexpr std::size_t MeshPort = 0;
 constexpr std::size_t OutlinePort = 1;
-
-bool HasErrorTarget(const SurfaceStageOptions& options)
-{
-  return !options.MaximumNumberOfTriangles;
-}
-
-void WriteChosen(const SurfaceParameters& chosen, ArrayTable& figures)
-{
-  AddValue<int>(figures, FieldArray::ChosenRadius, chosen.Radius);
-  AddValue<std::int64_t>(figures, FieldArray::ChosenSmallestHoleSize, std::int64_t(chosen.SmallestHoleSize));
-  AddValue<double>(figures, FieldArray::ChosenOutlineTolerance, chosen.OutlineTolerance);
-  AddValue<double>(figures, FieldArray::ChosenDistanceThreshold, chosen.DistanceThreshold);
-  AddValue<double>(figures, FieldArray::ChosenMaximumError, chosen.MaximumError);
-  AddValue<std::int64_t>(figures, FieldArray::ChosenMaximumNumberOfPoints, std::int64_t(chosen.MaximumNumberOfPoints));
-}
-
-SurfaceOptions MakeSurfaceOptions(const SurfaceStageOptions& given, const ErrorLimit& limit)
-{
-  SurfaceOptions options;
-  static_cast<DecimationQuality&>(options) = given;
-  if (HasErrorTarget(given))
-  {
-    options.MaximumError = limit.Indices;
-  }
-  else
-  {
-    CheckAtLeast<std::int64_t>("maximum number of triangles", *given.MaximumNumberOfTriangles, 1, "");
-    options.MaximumNumberOfTriangles = std::size_t(*given.MaximumNumberOfTriangles);
-  }
-  options.Radius = given.Radius;
-  options.Growth = given.Growth;
-  options.KeepHoles = given.KeepHoles;
-  options.SmallestHoleSize = given.SmallestHoleSize;
-  options.MinimumPatchSize = given.MinimumPatchSize;
-  options.OutlineTolerance = given.OutlineTolerance;
-  options.DistanceThreshold = given.DistanceThreshold;
-  return options;
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -92,28 +53,16 @@ std::vector<std::string> RunSurface(
   mesh.FieldData.AddAll(outlines.FieldData);
   if (surface.Kept.empty())
   {
-    warnings.push_back(NothingLeft(input, given.MinimumPatchSize));
+    warnings.push_back(NothingLeft(input.NumberOfPoints(), given.MinimumPatchSize));
   }
   else
   {
-    ArrayTable& figures = mesh.FieldData;
-    AddValue<double>(figures, FieldArray::BoundaryDeviation, surface.BoundaryDeviation);
-    AddValue<double>(figures, FieldArray::OutlineDeviation, surface.OutlineDeviation);
-    AddValue<double>(figures, FieldArray::OutlineHeightDeviation, surface.OutlineHeightDeviation);
-    AddValue<std::int64_t>(figures, FieldArray::NumberOfOutsidePoints, std::int64_t(surface.NumberOutside));
+    WriteDeviations(surface, mesh.FieldData);
     WriteMesh(outlines, points.Lattice, surface.Mesh, mesh);
     WriteLedger(points, surface.Kept, CoveredColumns(surface.Mesh.Points.Plane, surface.Mesh.Points.Boundary, 1), mesh);
-    if (given.CloseFaults)
-    {
-      const Reduction& vertices = surface.Mesh.Points;
-      CloseMesh(vertices.Plane, points.Lattice, vertices.Boundary, mesh, monitor.Step(0.95, 1.0));
-    }
+    CloseIfWanted(given, points.Lattice, surface.Mesh.Points, monitor, mesh);
   }
-  WriteChosen(surface.Parameters, mesh.FieldData);
-  if (limit.Noise)
-  {
-    WriteHeightNoise(*limit.Noise, mesh.FieldData);
-  }
+  WriteParameters(surface.Parameters, limit, mesh.FieldData);
   return warnings;
 }
 }

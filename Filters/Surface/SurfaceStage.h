@@ -28,6 +28,7 @@ struct SurfaceStageOptions : ReducedMeshOptions
   std::int64_t MinimumPatchSize = 1;
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
+  std::int32_t RowsOfPart = 0; // Chosen if 0; others are for tests.
 };
 
 /// Fills both outputs, which have the field data: the mesh, and the outlines with all points. Returns warnings.

@@ -91,6 +91,10 @@ void TakeChoice(const nb::dict& given, const char* name, const std::vector<std::
   throw InputError(std::string(name) + " '" + word + "', expected " + expected);
 }
 
+struct SurfaceStageOptions;
+
+SurfaceStageOptions TakeSurfaceOptions(const nb::dict& chosen);
+
 // ---- Calls ----------------------------------------------------------------------------------------------------------
 
 /// Runs work(monitor) without the lock. Raises what a signal or the progress callback raises.

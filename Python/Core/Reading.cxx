@@ -14,6 +14,7 @@
 #include "Common/Survey/VerticalSense.h"
 #include "Common/Text/InputFile.h"
 #include "Filters/Algorithms/Gridding/Gridding.h"
+#include "Filters/Surface/SurfaceByRows.h"
 #include "Readers/FaultLines/FaultLineFile.h"
 #include "Readers/FaultLines/FaultLineHorizon.h"
 #include "Readers/GOCADTSurf/TSurfHorizon.h"
@@ -299,15 +300,82 @@ public:
   }
 
   bool HasRealZ() const { return this->File->VerticalFit().Step != 0.0; }
-  int CountRows() const { return this->File->CountRows(); }
-  std::int64_t CountPoints(std::size_t place, int first, int last) const
-  {
-    return this->File->CountVoxels(place, first, last);
-  }
 
   /// The options place the lattice: origin of x, y and z, column_step, row_step, vertical_step, and use_real_z.
   nb::list Take(const std::vector<int>& places, const nb::dict& chosen, const std::string& direction,
     const std::array<std::string, 4>& survey, const nb::object& progress)
+  {
+    LatticeFrame frame = TakeFrame(chosen, direction, survey);
+    NamedHorizons horizons;
+    const std::vector<std::string> names = this->Names();
+    Run(progress,
+      [&](const Monitor& monitor)
+      {
+        SparseMatrix matrix = this->File->Take(places, monitor);
+        this->AddFile(frame);
+        for (const int place : places)
+        {
+          horizons.push_back(
+            { names[std::size_t(place)], MakeHorizonPoints(std::move(matrix.Horizons[std::size_t(place)]), frame) });
+        }
+      });
+    return GiveNamed(horizons);
+  }
+
+  /// Returns the mesh of a horizon, whose rows are read as needed, and warnings.
+  nb::tuple MakeSurface(std::size_t place, const nb::dict& chosen, const std::string& direction,
+    const std::array<std::string, 4>& survey, const nb::dict& surface, std::int64_t mostAtOnce,
+    const nb::object& progress)
+  {
+    const SurfaceStageOptions options = TakeSurfaceOptions(surface);
+    LatticeFrame frame = TakeFrame(chosen, direction, survey);
+    this->AddFile(frame);
+    const RowsOfFile rows(*this->File, place, frame);
+    Horizon mesh;
+    const std::vector<std::string> warnings = Run(progress,
+      [&](const Monitor& monitor) { return RunSurfaceByRows(rows, options, mostAtOnce, mesh, monitor); });
+    return nb::make_tuple(GiveData(mesh), warnings);
+  }
+
+  /// Returns the number of columns and rows around a horizon.
+  std::array<std::int64_t, 2> Extent(std::size_t place) const
+  {
+    const PlaneBox box = this->File->ColumnsOf(place);
+    return { std::int64_t(box.Greatest.X) - box.Least.X + 1, std::int64_t(box.Greatest.Y) - box.Least.Y + 1 };
+  }
+
+private:
+  class RowsOfFile : public HorizonRows
+  {
+  public:
+    RowsOfFile(const SparseMatrixFile& file, std::size_t place, const LatticeFrame& frame)
+      : File(file)
+      , Place(place)
+      , Frame(frame)
+    {
+    }
+
+    PlaneBox Box() const override { return this->File.ColumnsOf(this->Place); }
+
+    std::int64_t CountPoints(std::int32_t firstRow, std::int32_t lastRow) const override
+    {
+      return this->File.CountVoxels(this->Place, firstRow, lastRow);
+    }
+
+    Horizon Read(std::int32_t firstRow, std::int32_t lastRow) const override
+    {
+      SparseMatrix matrix = this->File.TakeRows(this->Place, firstRow, lastRow);
+      return MakeHorizonPoints(std::move(matrix.Horizons.front()), this->Frame);
+    }
+
+  private:
+    const SparseMatrixFile& File;
+    const std::size_t Place;
+    const LatticeFrame& Frame;
+  };
+
+  static LatticeFrame TakeFrame(
+    const nb::dict& chosen, const std::string& direction, const std::array<std::string, 4>& survey)
   {
     LatticeFrame frame;
     frame.Direction = direction == "up" ? VerticalDirection::Up : VerticalDirection::Down;
@@ -331,30 +399,22 @@ public:
     SeismicHorizons::Take(chosen, "use_real_z", frame.UseRealZ);
     Framing(0.0, direction, survey).Override(frame.Survey);
     frame.Check();
-    NamedHorizons horizons;
-    const std::vector<std::string> names = this->Names();
-    Run(progress,
-      [&](const Monitor& monitor)
-      {
-        SparseMatrix matrix = this->File->Take(places, monitor);
-        const SparseMatrixVerticalFit& fit = this->File->VerticalFit();
-        if (frame.UseRealZ && fit.Step != 0.0)
-        {
-          frame.Sampling = { fit.Offset, fit.Step, 0 };
-        }
-        const auto [columns, rows, indices] = this->File->Size();
-        frame.Lattice.Columns = { columns, rows };
-        frame.Sampling.Indices = indices;
-        for (const int place : places)
-        {
-          horizons.push_back(
-            { names[std::size_t(place)], MakeHorizonPoints(std::move(matrix.Horizons[std::size_t(place)]), frame) });
-        }
-      });
-    return GiveNamed(horizons);
+    return frame;
   }
 
-private:
+  /// Adds what is known of the file that was read or listed.
+  void AddFile(LatticeFrame& frame) const
+  {
+    const SparseMatrixVerticalFit& fit = this->File->VerticalFit();
+    if (frame.UseRealZ && fit.Step != 0.0)
+    {
+      frame.Sampling = { fit.Offset, fit.Step, 0 };
+    }
+    const auto [columns, rows, indices] = this->File->Size();
+    frame.Lattice.Columns = { columns, rows };
+    frame.Sampling.Indices = indices;
+  }
+
   std::string Path;
   std::unique_ptr<SparseMatrixFile> File;
 };
@@ -421,9 +481,10 @@ void BindReading(nb::module_& module)
     .def_prop_ro("names", &SparseFile::Names)
     .def_prop_ro("sizes", &SparseFile::Sizes)
     .def_prop_ro("has_real_z", &SparseFile::HasRealZ)
-    .def_prop_ro("rows", &SparseFile::CountRows)
-    .def("count_points", &SparseFile::CountPoints, "place"_a, "first_row"_a, "last_row"_a)
-    .def("take", &SparseFile::Take, "places"_a, "options"_a, "direction"_a, "survey"_a, "progress"_a.none());
+    .def("extent", &SparseFile::Extent, "place"_a)
+    .def("take", &SparseFile::Take, "places"_a, "options"_a, "direction"_a, "survey"_a, "progress"_a.none())
+    .def("surface", &SparseFile::MakeSurface, "place"_a, "options"_a, "direction"_a, "survey"_a, "surface"_a,
+      "most_at_once"_a, "progress"_a.none());
   module.def("find_format", &FindFormat, "path"_a);
   module.attr("DEFAULT_NULLS") = DefaultNulls;
   module.def("make_distinct", &MakeDistinct, "names"_a);

@@ -5,13 +5,10 @@
 
 #include "Data.h"
 
-#include "Common/Horizon/HeightNoise.h"
-#include "Filters/Algorithms/Surface/Surface.h"
+#include "Filters/Algorithms/Surface/SurfaceParts.h"
 #include "Filters/Boundary/BoundaryStage.h"
 #include "Filters/BoundarySimplification/BoundarySimplificationStage.h"
 #include "Filters/CellSimplification/CellSimplificationStage.h"
-#include "Filters/Common/HorizonPoints.h"
-#include "Filters/Common/LatticePoints.h"
 #include "Filters/Common/StageReport.h"
 #include "Filters/Decimation/DecimationStage.h"
 #include "Filters/Contours/ContoursStage.h"
@@ -167,38 +164,20 @@ nb::tuple DecimateHorizon(const nb::dict& given, const nb::dict& chosen, const n
 
 nb::tuple MeshSurface(const nb::dict& given, const nb::dict& chosen, const nb::object& progress)
 {
-  SurfaceStageOptions options;
-  TakeMeshOptions(chosen, options);
-  Take(chosen, "maximum_number_of_triangles", options.MaximumNumberOfTriangles);
-  Take(chosen, "radius", options.Radius);
-  TakeChoice(chosen, "growth", Growths, options.Growth);
-  Take(chosen, "keep_holes", options.KeepHoles);
-  Take(chosen, "smallest_hole_size", options.SmallestHoleSize);
-  Take(chosen, "minimum_patch_size", options.MinimumPatchSize);
-  Take(chosen, "outline_tolerance", options.OutlineTolerance);
-  Take(chosen, "distance_threshold", options.DistanceThreshold);
+  const SurfaceStageOptions options = TakeSurfaceOptions(chosen);
   return Call(given, 2, true, progress,
     [&](const Horizon& horizon, std::vector<Horizon>& outputs, const Monitor& monitor)
     { return RunSurface(horizon, options, outputs, monitor); });
 }
 
-// ---- What is chosen for a surface -----------------------------------------------------------------------------------
-
-LatticePoints ReadGiven(const nb::dict& given)
+/// Returns the columns that are meshed at a time of a horizon that is not in memory, with default options.
+std::int64_t ColumnsOfPart(std::int32_t columns, std::int32_t rows)
 {
-  const Horizon horizon = TakeData(given);
-  CheckArraySizes(horizon);
-  return ReadColumns(WithoutHiddenPoints(horizon));
-}
-
-/// Returns the largest error, in vertical indices, and the figures that it comes from.
-nb::tuple ChooseError(const nb::dict& given)
-{
-  const LatticePoints points = ReadGiven(given);
-  const HeightNoise noise = MeasureHeightNoise(points.Column, points.Height);
-  ArrayTable figures;
-  WriteHeightNoise(noise, figures);
-  return nb::make_tuple(noise.MaximumError(), GiveTable(figures));
+  PlaneBox box;
+  box.Add(PlanePoint{ 0, 0 });
+  box.Add(PlanePoint{ columns - 1, rows - 1 });
+  const std::int32_t rowsOfPart = RowsOfPart(box, SurfaceOptions(), 1);
+  return std::int64_t(columns) * (rowsOfPart > 0 ? rowsOfPart : rows);
 }
 
 // ---- Preparations ---------------------------------------------------------------------------------------------------
@@ -293,6 +272,23 @@ nb::tuple MeasureDistance(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+SurfaceStageOptions TakeSurfaceOptions(const nb::dict& chosen)
+{
+  SurfaceStageOptions options;
+  TakeMeshOptions(chosen, options);
+  Take(chosen, "maximum_number_of_triangles", options.MaximumNumberOfTriangles);
+  Take(chosen, "radius", options.Radius);
+  TakeChoice(chosen, "growth", Growths, options.Growth);
+  Take(chosen, "keep_holes", options.KeepHoles);
+  Take(chosen, "smallest_hole_size", options.SmallestHoleSize);
+  Take(chosen, "minimum_patch_size", options.MinimumPatchSize);
+  Take(chosen, "outline_tolerance", options.OutlineTolerance);
+  Take(chosen, "distance_threshold", options.DistanceThreshold);
+  Take(chosen, "rows_of_part", options.RowsOfPart);
+  return options;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void BindStages(nb::module_& module)
 {
   const auto bind = [&module](const char* name, auto&& stage)
@@ -306,9 +302,7 @@ void BindStages(nb::module_& module)
   bind("surface", &MeshSurface);
   bind("fill_holes", &Fill);
   bind("despike", &Despike);
-  module.def(
-    "choose_radius", [](const nb::dict& given) { return ChooseRadius(ReadGiven(given).Column); }, "horizon"_a);
-  module.def("choose_error", &ChooseError, "horizon"_a);
+  module.def("columns_of_part", &ColumnsOfPart, "columns"_a, "rows"_a);
   nb::class_<GivenFaults>(module, "GivenFaults")
     .def(
       "__init__",

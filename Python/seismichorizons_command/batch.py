@@ -22,9 +22,9 @@ except ImportError:  # on Windows
 from . import cutoffs, data, interrupt, jobs, naming, pipeline, reading, tables, volumes, writing
 from .found import Found
 from .found import written as written_line
+from .large import LargeHorizon
 from .memory import Budget
 from .naming import make_labels, make_stems
-from .parts import Windows
 from .core import HorizonError, heard_by, share_threads
 from .supply import Supply
 
@@ -211,7 +211,7 @@ def process(path, label, stem, results, settings, with_pictures, record, stack=N
     """Processes one file. Its results (Results) appear all together at the end, or not at all. Returns the lines to print. With a stack, a file with a single horizon contributes its stem, name and points to the stack instead of
     having layers of its own. Raises HorizonError or OSError."""
     left_out = [] if settings.leave_out_invalid else None
-    supply = Supply(path, settings.horizons, Budget(settings.memory, settings.jobs), settings.can_cut(), left_out, **settings.reader)
+    supply = Supply(path, settings.horizons, Budget(settings.memory, settings.jobs), settings.can_go_by_rows(), left_out, **settings.reader)
     for text in left_out or []:
         record.warn(text)
     _require_scale(label, supply, settings)
@@ -276,8 +276,8 @@ def _run_stages(label, supply, settings, record, names, folder, found):
     results = []
     settings = pipeline.with_faults(settings)
     for name, points in supply:
-        if isinstance(points, Windows):
-            result = pipeline.run_windows(label, points, settings)
+        if isinstance(points, LargeHorizon):
+            result = pipeline.run_by_rows(label, points, settings)
         else:
             result = pipeline.run(label, name, points, settings, supply.surfaces.get(name))
         if settings.said_unit() or settings.plain_error() is None and not reading.counts_indices(

@@ -14,8 +14,7 @@ import seismichorizons
 
 from . import data, heights, ledger, triangles
 from .data import text, value, values
-from .parts import SURFACE
-from .pipeline import PREPARATIONS, STAGES, chosen_parameters
+from .pipeline import PREPARATIONS, STAGES, SURFACE, chosen_parameters
 from .tables import TWO_SIDED, prepared_number
 
 BINS = 24  # of the histogram of distances

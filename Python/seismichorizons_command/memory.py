@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Memory use of horizons, and groups of horizons that fit within a limit.
 
-As many horizons as fit are read at a time, in order, and released before the next group. A horizon that does not fit
-alone is cut into windows of rows (parts.py).
+As many horizons as fit are read at a time, in order, and released before the next group. Of a horizon that does not fit
+alone, rows are read while it is meshed (large.py).
 """
 
 import os
 import re
+
+from seismichorizons import _core
 
 from .core import HorizonError
 
@@ -15,15 +17,20 @@ from .core import HorizonError
 # including its own (213 to 221).
 HELD = 80
 WORKED = 240
-# Memory in addition to horizons and the program at its start: buffers of the reader and meshes to be joined.
+# A horizon is meshed by rows in parts of so many columns; below two parts, it is meshed at once with so many bytes per point.
+# The index of columns and the mesh come in addition.
+PARTS = 2
+COLUMN_BYTES = 130
+AT_ONCE = 80
+COLUMNS_PER_BYTE = 5
+MESH_BYTES = 0.6  # per point, of which one in 20 is left
+# Memory in addition to horizons and the program at its start: buffers of the reader.
 SPARE = 96 << 20
 # Fraction of the free memory of the machine that is used if there is no limit.
 SHARE = 0.75
 # Lower bound of the bytes per point in a file; lower if it is compressed.
 FILE_BYTES = 16
 COMPRESSED_BYTES = 2
-# Number of rows by which a window may end earlier, at a row with more points.
-ROWS_TO_CHOOSE = 8
 
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
@@ -64,9 +71,9 @@ class Budget:
         except OSError:
             return True
 
-    def most_points(self):
-        """Returns the number of points that can be processed at a time."""
-        return max(0, self.left // WORKED)
+    def most_at_once(self):
+        """Returns the number of points that can be meshed at once by rows."""
+        return max(0, self.left // AT_ONCE)
 
     def require(self, worked, what, held=0):
         """Raises HorizonError if `worked` points do not fit while `held` points are in memory."""
@@ -98,33 +105,11 @@ def make_groups(sizes, budget):
     return groups
 
 
-def make_windows(row_sizes, most_points):
-    """Cuts rows with the given numbers of points into windows of about equal size, at most `most_points`, as (first, last).
-    Adjacent windows share a row, which has many points compared with its neighbours. None if two rows are too many."""
-    rows = [row for row, size in enumerate(row_sizes) if size]
-    count = -(-sum(row_sizes) // max(1, most_points))
-    while rows and count < len(row_sizes):
-        windows = _cut(row_sizes, rows[0], rows[-1], count)
-        if all(sum(row_sizes[first:last + 1]) <= most_points for first, last in windows):
-            return windows
-        count += 1 + count // 8
-    return None
-
-
-def _cut(row_sizes, first, last, count):
-    """Cuts rows into windows with about the same number of points and at least two rows each."""
-    share = sum(row_sizes) / count
-    windows = []
-    done = 0
-    begin = first
-    for row in range(first, last):
-        done += row_sizes[row]
-        if done >= share * (len(windows) + 1) and row > begin:
-            candidates = range(max(begin + 1, row - ROWS_TO_CHOOSE + 1), row + 1)
-            cut = max(candidates, key=lambda candidate: (row_sizes[candidate], candidate))
-            windows.append((begin, cut))
-            begin = cut
-    return windows + [(begin, last)]
+def bytes_by_rows(columns, rows, points):
+    """Returns the memory to mesh points in so many columns and rows by rows."""
+    part = _core.columns_of_part(columns, rows)
+    held = AT_ONCE * points if part == columns * rows else COLUMN_BYTES * PARTS * part
+    return held + columns * rows // COLUMNS_PER_BYTE + int(MESH_BYTES * points)
 
 
 def _resident():

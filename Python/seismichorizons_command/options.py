@@ -54,8 +54,8 @@ def add_running_options(running):
     running.add_argument("--leave-out-invalid", action="store_true", help="skip horizons that cannot be processed, "
                          "with a warning; by default, their file has no results")
     running.add_argument("--memory", type=memory, metavar="SIZE", help="memory limit, such as 2G or 800M. Horizons "
-                         "of sparse voxel files are read in groups that fit, and a horizon that does not fit is "
-                         "meshed in windows of rows. Other files are read whole, at up to 80 bytes per point, and "
+                         "of sparse voxel files are read in groups that fit, and of a horizon that does not fit, "
+                         "rows are read while it is meshed, with the same result. Other files are read whole, at up to 80 bytes per point, and "
                          "refused if they do not fit (default: three quarters of the free memory, if a file may need "
                          "more)")
     running.add_argument("--threads", type=number_at_least(int, 0), default=0, metavar="N", help="number of threads; 0 uses "

@@ -13,12 +13,12 @@ from typing import Optional
 
 from seismichorizons import _core, read_faults
 
-from . import core, data, heights, ledger, parts, tsurf, writing
+from . import core, data, heights, ledger, tsurf, writing
 from .core import HorizonError
-from .parts import SURFACE
 from .progress import file_work
 from .reading import read, read_first  # noqa: F401: the first step of a pipeline
 
+SURFACE = "vtkHorizonSurface"  # the class of the single stage that replaces all of these
 # Stages in order, named after the data that they make: the name of the class in ParaView, and the function of the core.
 STAGES = {
     "boundary": ("vtkHorizonExteriorBoundary", _core.boundary),
@@ -85,8 +85,8 @@ class Settings:
         stages = [(name, function, getattr(self, name)) for name, (_, function) in PREPARATIONS.items()] + stages
         return [(name, function, given) for name, function, given in stages if given is not None]
 
-    def can_cut(self):
-        """Whether a horizon larger than memory can be meshed in windows."""
+    def can_go_by_rows(self):
+        """Whether rows of a horizon larger than memory can be read while it is meshed."""
         by_error = self.surface is not None and "MaximumNumberOfTriangles" not in self.surface
         can_go_without = (self.error is None or self.error_if_whole) and not any(
             writing.is_of_points(form, self.grids_of_meshes) for form in self.formats)
@@ -265,20 +265,18 @@ def _run_stages(result, settings):
         last = result.data[stage] = outputs[0]
 
 
-def run_windows(source, windows, settings):
-    """Makes the mesh of a horizon larger than memory (parts.Windows). Raises HorizonError."""
-    result = Result(source, windows.name, None)
-    result.number_of_points = windows.number_of_points
-    start = time.monotonic()
-    surface = settings.in_unit(windows.unit).surface
+def run_by_rows(source, horizon, settings):
+    """Makes the mesh of a horizon larger than memory (large.LargeHorizon). Raises HorizonError."""
+    result = Result(source, horizon.name, None)
+    result.number_of_points = horizon.number_of_points
+    surface = settings.in_unit(horizon.unit).surface
     try:
-        result.data = {"mesh": parts.mesh(windows, surface, "%s: %s" % (source, windows.name), result.warnings)}
+        result.data = {"mesh": result.run_stage("mesh", horizon.mesh, core.options(surface))}
     except HorizonError as error:
         if not settings.leave_out_invalid:
-            raise HorizonError("%s: %s" % (source, error)) from None
-        result.warnings.append("%s is left out" % error)
-        result.data = {"mesh": data.empty()}
-    result.seconds["mesh"] = time.monotonic() - start
+            raise
+        result.leave_out(error)
+        result.release()
     result.simplified = count_loops(result.data["mesh"])
     result.warn_of_ledger()
     return result

@@ -88,7 +88,8 @@ class Source:
 
 
 class SparseSource:
-    """The horizons of a file of sparse voxels. With an overview it keeps no points, and reads chosen horizons and rows."""
+    """The horizons of a file of sparse voxels. With an overview it keeps no points, and reads chosen horizons, or rows of
+    one that is meshed."""
 
     def __init__(self, path, with_overview, properties):
         self.path, self.kind, self.lines, self.surfaces = path, SPARSE, [], {}
@@ -103,33 +104,27 @@ class SparseSource:
                          **core.options({name: properties[name] for name in ("ColumnStep", "RowStep", "VerticalStep") if name in properties})}
         self._direction = snake(properties.get("VerticalDirection", ""))
         self._survey = _survey(properties)
-        self._rows = None  # that are listed, all for None
 
     def list(self, label=""):
         """Lists the horizons. Raises HorizonError."""
         with core.errors("%s: " % self.path):
             core.run(self._file.list, self._duplicates, label=label, work=file_work(self.path))
-        self.names, self.sizes, self.rows = self._file.names, self._file.sizes, self._file.rows
+        self.names, self.sizes = self._file.names, self._file.sizes
         self.number = len(self.names)
 
-    def count_points(self, place, first_row, last_row):
-        self._list_rows(None)
-        return self._file.count_points(place, first_row, last_row)
+    def extent(self, place):
+        """Returns the number of columns and rows around a horizon; needs an overview."""
+        return self._file.extent(place)
 
-    def _list_rows(self, rows):
-        """Lists the horizons with points in rows; all for None."""
-        if rows != self._rows:
-            core.run(self._file.list, self._duplicates if rows is None else {**self._duplicates, "rows": rows})
-            self._rows = rows
+    def surface(self, place, options, most_at_once, progress):
+        """Returns the mesh of a horizon whose rows are read as needed, and warnings; needs an overview."""
+        return self._file.surface(place, self._options, self._direction, self._survey, options, most_at_once, progress)
 
-    def read(self, places, label="", rows=None):
-        """Returns the horizons at places in the list as (name, data), all or those of the rows (first, last). Raises
-        HorizonError."""
+    def read(self, places, label=""):
+        """Returns the horizons at places in the list as (name, data). Raises HorizonError."""
         with core.errors("%s: " % self.path):
-            self._list_rows(rows)
-            listed = self._file.names
-            return core.run(self._file.take, [listed.index(self.names[place]) for place in places], self._options, self._direction,
-                            self._survey, label=label, work=file_work(self.path))
+            return core.run(self._file.take, places, self._options, self._direction, self._survey, label=label,
+                            work=file_work(self.path))
 
     def read_all(self, horizons=None):
         self.list()

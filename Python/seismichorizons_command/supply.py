@@ -11,12 +11,12 @@ import time
 
 from . import cubes, heights, memory, reading
 from .core import HorizonError
-from .parts import Windows
+from .large import LargeHorizon
 
 
 class Supply:
-    """Yields (name, points) once for each horizon. With `cuts_large`, a horizon that does not fit alone is yielded as
-    Windows in place of points. `horizons`, `left_out` and properties are passed to reading.open_file. Raises
+    """Yields (name, points) once for each horizon. With `by_rows`, a horizon that does not fit alone is yielded as a
+    LargeHorizon in place of points. `horizons`, `left_out` and properties are passed to reading.open_file. Raises
     HorizonError.
 
     `names` and `sizes` are the names and numbers of points of all horizons, `seconds` the time spent on reading so far,
@@ -24,10 +24,10 @@ class Supply:
     triangles from which horizons were sampled, by name.
     """
 
-    def __init__(self, path, horizons, budget, cuts_large=False, left_out=None, **properties):
+    def __init__(self, path, horizons, budget, by_rows=False, left_out=None, **properties):
         self._path = pathlib.Path(path)
         self._budget = budget
-        self._cuts_large = cuts_large
+        self._by_rows = by_rows
         self._source = None
         self._found = []
         is_large = budget.is_given or not budget.fits_file(self._path)
@@ -44,12 +44,12 @@ class Supply:
             self.sizes = [len(points["places"]) for _, points in self._found]
             self._groups = [list(range(len(self._found)))]
         self.origin = reading.describe(source)
-        self.is_whole = len(self._groups) == 1 and not self._is_cut(self._groups[0])
+        self.is_whole = len(self._groups) == 1 and not self._is_large(self._groups[0])
 
     def __iter__(self):
         for group in self._groups:
-            if self._is_cut(group):
-                yield self.names[group[0]], self._cut(group)
+            if self._is_large(group):
+                yield self.names[group[0]], self._large(group)
                 continue
             if self._budget.is_given:
                 self._require(group)
@@ -85,12 +85,12 @@ class Supply:
         self._source = source
         self.seconds = time.monotonic() - start
 
-    def _is_cut(self, group):
-        return bool(self._source and self._cuts_large and not self._budget.fits(self.sizes[group[0]]))
+    def _is_large(self, group):
+        return bool(self._source and self._by_rows and not self._budget.fits(self.sizes[group[0]]))
 
-    def _cut(self, group):
+    def _large(self, group):
         try:
-            return Windows(self._source, self._places[group[0]], self._budget)
+            return LargeHorizon(self._source, self._places[group[0]], self._budget)
         except HorizonError as error:
             raise HorizonError("%s: %s" % (self._path.name, error)) from None
 

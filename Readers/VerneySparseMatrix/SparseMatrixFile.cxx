@@ -3,8 +3,6 @@
 
 #include "SparseMatrixFile.h"
 
-#include "Common/Horizon/PlaneGeometry.h"
-
 #include "SparseMatrixOverview.h"
 
 #include <algorithm>
@@ -124,10 +122,28 @@ public:
 
   std::int64_t CountVoxels(std::size_t place, int firstRow, int lastRow) const override
   {
-    return this->Overview.Horizons.at(this->Listed[place].SurfaceId).CountVoxels(firstRow, lastRow);
+    return this->OverviewOf(place).CountVoxels(firstRow, lastRow);
+  }
+
+  PlaneBox ColumnsOf(std::size_t place) const override { return this->OverviewOf(place).Box; }
+
+  SparseMatrix TakeRows(std::size_t place, int firstRow, int lastRow) const override
+  {
+    SparseMatrixOptions options = ForAllRows(this->Options);
+    options.Surfaces = { this->Listed[place].SurfaceId };
+    options.RowRange = { firstRow, lastRow };
+    SparseMatrix matrix = ReadSparseMatrixRows(*OpenInputFile(this->Stamp.Name), this->Overview, options);
+    matrix.Horizons.resize(1);
+    matrix.Horizons.front().SurfaceId = this->Listed[place].SurfaceId;
+    return matrix;
   }
 
 private:
+  const HorizonOverview& OverviewOf(std::size_t place) const
+  {
+    return this->Overview.Horizons.at(this->Listed[place].SurfaceId);
+  }
+
   SparseMatrixOverview Overview;
 };
 }

@@ -8,6 +8,7 @@
 #define SeismicHorizonsSparseMatrixFile_h
 
 #include "Common/Base/Monitor.h"
+#include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Text/InputFile.h"
 #include "SparseMatrixParser.h"
 
@@ -48,8 +49,12 @@ public:
   /// Returns all listed horizons; only horizons at `places` are certain to have voxels.
   virtual SparseMatrix Take(const std::vector<int>& places, const Monitor& monitor) = 0;
 
+  // The others are for files with an overview alone, whatever the range of rows.
   virtual int CountRows() const { return 0; }
   virtual std::int64_t CountVoxels(std::size_t, int, int) const { return 0; }
+  virtual PlaneBox ColumnsOf(std::size_t) const { return {}; }
+  /// Returns the horizon at `place` with the voxels of these rows.
+  virtual SparseMatrix TakeRows(std::size_t, int, int) const { return {}; }
 
 protected:
   FileStamp Stamp; // The file that was read; empty after an error.

@@ -28,6 +28,7 @@ void Count(const LatticeHorizon& voxels, HorizonOverview& horizon)
   for (const PlanePoint& column : voxels.Column)
   {
     ++horizon.RowSizes[column.Y - horizon.FirstRow];
+    horizon.Box.Add(column);
   }
 }
 

@@ -6,6 +6,8 @@
 #ifndef SeismicHorizonsSparseMatrixOverview_h
 #define SeismicHorizonsSparseMatrixOverview_h
 
+#include "Common/Horizon/PlaneGeometry.h"
+
 #include "HorizonSorter.h"
 #include "SparseMatrixParser.h"
 #include "VerticalFit.h"
@@ -21,6 +23,7 @@ struct HorizonOverview
 {
   int FirstRow = 0;
   std::vector<std::int32_t> RowSizes; // Voxels per row, at most one per column.
+  PlaneBox Box; // of the columns with voxels
 
   std::int64_t CountVoxels(int firstRow, int lastRow) const;
 };

@@ -279,7 +279,7 @@ class ReportTest(unittest.TestCase):
             self.assertTrue(3 <= len(charts.round_steps(high)) <= 7, high)
 
     def test_larger_than_memory(self):
-        """A horizon in windows is not measured, and the page says so; nothing else is missing."""
+        """A horizon whose rows are read is not measured, and the page says so; nothing else is missing."""
         settings = pipeline.Settings(surface=pipeline.surface_properties(largest_error=1.0), error={}, error_if_whole=True,
                                      memory=memory.WORKED * 4000)
         run = record.Record(lambda *told: ledger_check.is_warning(told[1]) or self.fail(told), True, report.make_album(True))
@@ -290,7 +290,7 @@ class ReportTest(unittest.TestCase):
         self.assertIn("on average; at outlines at most", page.text())
         self.assertEqual([image["alt"].split(";")[0] for image in page.all("img") if image["alt"].startswith("Mesh")][:1],
                          ["Mesh of Horizon 1: 6,282 points, %d triangles" % run.files[0]["horizons"][0]["triangles"]])
-        self.assertFalse(pipeline.Settings(surface={}, error={}).can_cut())
+        self.assertFalse(pipeline.Settings(surface={}, error={}).can_go_by_rows())
 
     def write_fault(self):
         path = self.folder / "fault.pol"

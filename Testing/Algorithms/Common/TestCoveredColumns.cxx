@@ -24,6 +24,14 @@ bool IsIn(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, const P
   return SignedArea(a, b, c) != 0 && (*least >= 0 || *greatest <= 0);
 }
 
+Ledger AccountAll(const CoveredColumns& covered, PlanePoints columns, const std::vector<unsigned char>& filled,
+  const KeptPoints& kept)
+{
+  Ledger ledger = covered.Account(columns, filled, kept);
+  covered.Bridge(ledger);
+  return ledger;
+}
+
 std::vector<PlanePoint> AllColumns()
 {
   std::vector<PlanePoint> columns;
@@ -72,7 +80,7 @@ void TestTriangles(std::int32_t subVoxels)
     }
     const CoveredColumns covered(corners, triangles, subVoxels);
     CHECK_EQUAL(covered.Count(), expected);
-    const Ledger ledger = covered.Account(columns, {}, KeptPoints::All(columns.size()));
+    const Ledger ledger = AccountAll(covered, columns, {}, KeptPoints::All(columns.size()));
     CHECK_EQUAL(ledger[LedgerEntry::Known], expected);
     CHECK_EQUAL(ledger[LedgerEntry::Bridged], 0);
     CHECK_EQUAL(ledger.Read(), std::int64_t(columns.size()));
@@ -108,7 +116,7 @@ void TestLoops()
   CHECK_EQUAL(covered.Count(), 44);
   const std::vector<PlanePoint> points = { { 0, 0 }, { 4, 3 }, { 8, 2 }, { 3, 2 }, { 9, 2 }, { 10, 2 }, { 2, 6 },
     { 6, 6 }, { 5, 2 }, { 6, 2 }, { 11, 11 } };
-  const Ledger ledger = covered.Account(points, { 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 1 }, KeptPoints::All(points.size()));
+  const Ledger ledger = AccountAll(covered, points, { 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 1 }, KeptPoints::All(points.size()));
   CHECK_EQUAL(ledger[LedgerEntry::Known], 3);
   CHECK_EQUAL(ledger[LedgerEntry::Filled], 1);
   CHECK_EQUAL(ledger[LedgerEntry::Extrapolated], 1);
@@ -117,7 +125,7 @@ void TestLoops()
 
   KeptPoints kept(points.size());
   kept.AppendRun(1, points.size() - 1);
-  const Ledger without = covered.Account(points, {}, kept); // the first one is covered, and dropped
+  const Ledger without = AccountAll(covered, points, {}, kept); // the first one is covered, and dropped
   CHECK_EQUAL(without[LedgerEntry::Known], 4);
   CHECK_EQUAL(without[LedgerEntry::Bridged], 40);
   CHECK_EQUAL(without[LedgerEntry::LeftOut], 7);

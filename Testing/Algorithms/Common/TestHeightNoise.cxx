@@ -3,11 +3,13 @@
 //
 // The error that a mesh has where none is given.
 
+#include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/HeightNoise.h"
 #include "Tools/Check.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <random>
 #include <vector>
@@ -97,6 +99,53 @@ void TestWithoutNoise()
   CHECK(std::abs(apart.MaximumError() - OfRounding) < 1e-12);
   CHECK_EQUAL(MeasureHeightNoise({}, {}).MaximumError(), 0.0);
 }
+
+/// Points that are added in parts, with rows beside them, have the noise of all points.
+void TestParts()
+{
+  for (const int every : { 1, 3 })
+  {
+    std::mt19937 random(11);
+    std::normal_distribution<double> noise(0.0, 2.5);
+    std::vector<PlanePoint> columns;
+    std::vector<double> heights;
+    for (int y = 0; y < 700; y += every)
+    {
+      for (int x = 0; x < 700; x += every)
+      {
+        if (random() % 10 != 0)
+        {
+          columns.push_back({ x, y });
+          heights.push_back(0.25 * x + noise(random));
+        }
+      }
+    }
+    const HeightNoise whole = MeasureHeightNoise(columns, heights);
+    NoiseSampler sampler(columns.size());
+    const auto firstOf = [&columns](int row)
+    {
+      return std::size_t(std::partition_point(columns.begin(), columns.end(),
+                           [row](const PlanePoint& column) { return column.Y < row; }) -
+        columns.begin());
+    };
+    int rounds = 0;
+    do
+    {
+      for (int row = 0; row < 700; row += 90)
+      {
+        const std::size_t before = firstOf(row - sampler.Rim());
+        const std::size_t behind = firstOf(row + 90 + sampler.Rim());
+        const ColumnIndex index(PlanePoints(columns.data() + before, behind - before));
+        sampler.Add(index, { heights.begin() + std::ptrdiff_t(before), heights.begin() + std::ptrdiff_t(behind) }, before,
+          firstOf(row), firstOf(row + 90));
+      }
+      ++rounds;
+    } while (!sampler.Finish());
+    CHECK_EQUAL(rounds, every);
+    CHECK_EQUAL(sampler.Noise().Deviation, whole.Deviation);
+    CHECK_EQUAL(sampler.Noise().IsRounding, whole.IsRounding);
+  }
+}
 }
 
 int TestHeightNoise(int, char*[])
@@ -105,5 +154,6 @@ int TestHeightNoise(int, char*[])
   TestInterpolated();
   TestRounding();
   TestWithoutNoise();
+  TestParts();
   return Check::Result();
 }
