@@ -6,7 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/ColumnIndex.h"
 #include "Common/Horizon/DataModel.h"
-#include "Filters/Algorithms/Surface/SurfaceParts.h"
+#include "Filters/Algorithms/Surface/RowSurface.h"
 #include "Filters/Boundary/BoundaryStage.h"
 #include "Filters/Common/CutData.h"
 #include "Filters/Common/HeightUnit.h"
@@ -50,9 +50,14 @@ public:
   void Read(std::int32_t firstRow, std::int32_t lastRow, std::vector<PlanePoint>& columns,
     std::vector<double>& height) const override
   {
-    const LatticePoints points = this->ReadPart(firstRow, lastRow);
-    columns.insert(columns.end(), points.Column.begin(), points.Column.end());
-    height.insert(height.end(), points.Height.begin(), points.Height.end());
+    const std::int64_t most = this->MostRows();
+    for (std::int64_t row = firstRow; row <= lastRow; row += most)
+    {
+      const LatticePoints points =
+        this->ReadPart(std::int32_t(row), std::int32_t(std::min<std::int64_t>(row + most - 1, lastRow)));
+      columns.insert(columns.end(), points.Column.begin(), points.Column.end());
+      height.insert(height.end(), points.Height.begin(), points.Height.end());
+    }
   }
 
   std::int64_t NumberOfPoints() const { return this->Starts.back(); }
@@ -85,8 +90,7 @@ public:
   void ForEachPart(
     std::int64_t first, std::int64_t end, std::int32_t rim, const Monitor& monitor, Visitor&& visit) const
   {
-    const std::int64_t width = std::int64_t(this->Area.Greatest.X) - this->Area.Least.X + 1;
-    const std::int64_t most = std::max<std::int64_t>(1, ColumnsOfPart / width);
+    const std::int64_t most = this->MostRows();
     const auto rowOf = [this](std::int64_t point)
     {
       const auto after = std::upper_bound(this->Starts.begin(), this->Starts.end(), point);
@@ -107,6 +111,13 @@ public:
 
 private:
   static constexpr std::int64_t ColumnsOfPart = std::int64_t(1) << 19;
+
+  /// Points with all of their arrays take more memory than their columns and heights.
+  std::int64_t MostRows() const
+  {
+    const std::int64_t width = std::int64_t(this->Area.Greatest.X) - this->Area.Least.X + 1;
+    return std::max<std::int64_t>(1, ColumnsOfPart / width);
+  }
 
   const Horizon& RequireAsRead(const Horizon& points) const
   {

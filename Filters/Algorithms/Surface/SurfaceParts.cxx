@@ -4,6 +4,7 @@
 #include "SurfaceParts.h"
 
 #include "BandCuts.h"
+#include "Common/Base/FreeMemory.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/Decimation/HeightRaster.h"
 #include "SurfacePart.h"
@@ -90,6 +91,7 @@ public:
         this->Whole.Add(below);
       }
       below = std::move(above);
+      ReturnFreeMemory();
     }
     this->Whole.Add(below);
     this->Whole.Finish(take, monitor.Step(0.9, 1.0));
