@@ -71,6 +71,7 @@ struct BoundedHorizon
   std::int32_t SubVoxelsPerColumn = 1;
   /// These have no patch, but their heights count on links that cross edges, and where they lie on loops.
   DroppedPoints Dropped;
+  std::vector<PointId> Beside; // dropped points of other parts: no point is inserted where edges cross links to them
   std::vector<LockedHeight> Locked; // points of loops, ascending
   std::shared_ptr<const LinkCuts> Cuts; // Points on different sides of cuts are never merged; null without cuts.
 

@@ -125,6 +125,10 @@ void HeightMesh::SetLoops(const Monitor& monitor)
 {
   BoundedHorizon outline;
   this->Marks = this->Boundary().MarkPoints(this->Patches.size());
+  for (const PointId point : this->Horizon.Beside)
+  {
+    this->Marks[std::size_t(point)] = 1;
+  }
   this->Sources.clear();
   this->Boundary().ForEachPoint([this](PointId point) { this->Sources.push_back(point); });
   std::sort(this->Sources.begin(), this->Sources.end());

@@ -211,7 +211,7 @@ private:
   std::int32_t PatchCount = 0;
   std::vector<std::int32_t> Patches; // per point, contiguous from 0; negative outside the horizon
   std::size_t Points;
-  std::vector<unsigned char> Marks; // per point: 1 for vertices and points on loops
+  std::vector<unsigned char> Marks; // per point: 1 for vertices, points on loops and points of other parts
   std::vector<PointId> Sources; // per vertex; NoPoint if removed
   std::vector<unsigned char> AreOnLoops;
   std::vector<unsigned char> AreFixed;

@@ -301,7 +301,12 @@ HeightError HeightRaster::MeasureEdge(
     [&](const Crossing& crossing)
     {
       const double distance = std::abs(crossing.Error);
-      if (distance > error.Largest)
+      const auto isMarked = [&](std::int64_t place)
+      {
+        const PointId point = this->DroppedAt(place);
+        return point != NoPoint && marks[point] != 0;
+      };
+      if (distance > error.Largest && !isMarked(crossing.Place) && !isMarked(crossing.Beyond))
       {
         const bool isFirstNear = crossing.FractionOfColumn < 0.5;
         const PointId near = (*this->Points)[isFirstNear ? crossing.Place : crossing.Beyond];

@@ -160,7 +160,7 @@ public:
 
   bool IsWithin(const RaisedTriangle& triangle, double bound) const;
 
-  /// Measures crossings that have an unmarked column, and finds the nearer of these columns.
+  /// Measures crossings that have an unmarked column and no marked dropped one, and finds the nearer of these columns.
   HeightError MeasureEdge(
     const RaisedPoint& from, const RaisedPoint& to, const std::vector<unsigned char>& marks) const;
 

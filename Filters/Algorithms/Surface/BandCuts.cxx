@@ -3,28 +3,116 @@
 
 #include "BandCuts.h"
 
+#include "Common/Horizon/ColumnIndex.h"
+#include "Common/Horizon/SpacePoints.h"
+#include "Filters/Algorithms/BoundarySimplification/FewestPoints.h"
+
+#include <numeric>
+#include <unordered_set>
 #include <utility>
 
 namespace SeismicHorizons
 {
+namespace
+{
+constexpr double ReachOfFit = 0.9; // of the tolerance, from the node's own column
+
+/// Heights of nodes on a line through all columns with the least sum of squares, where the first and the last node keep
+/// their own. The equations have three diagonals (Thomas 1949).
+std::vector<double> FitLine(const std::vector<PlanePoint>& columns, const std::vector<double>& heights,
+  const std::vector<std::size_t>& nodes, double tolerance)
+{
+  const std::size_t size = nodes.size();
+  std::vector<double> diagonal(size, 0.0);
+  std::vector<double> beside(size, 0.0); // to the next node
+  std::vector<double> right(size, 0.0);
+  for (std::size_t n = 0; n + 1 < size; ++n)
+  {
+    const double start = columns[nodes[n]].X;
+    const double length = columns[nodes[n + 1]].X - start;
+    for (std::size_t column = nodes[n]; column < nodes[n + 1]; ++column)
+    {
+      const double part = (columns[column].X - start) / length;
+      diagonal[n] += (1.0 - part) * (1.0 - part);
+      diagonal[n + 1] += part * part;
+      beside[n] += part * (1.0 - part);
+      right[n] += (1.0 - part) * heights[column];
+      right[n + 1] += part * heights[column];
+    }
+  }
+  const auto fix = [&](std::size_t node)
+  {
+    diagonal[node] = 1.0;
+    right[node] = heights[nodes[node]];
+  };
+  fix(0);
+  fix(size - 1);
+  std::vector<double> upper(size, 0.0);
+  for (std::size_t n = 1; n < size; ++n)
+  {
+    const double before = n + 1 < size ? beside[n - 1] : 0.0;
+    const double pivot = diagonal[n] - before * upper[n - 1];
+    upper[n] = n + 1 < size ? beside[n] / pivot : 0.0;
+    right[n] = (right[n] - before * right[n - 1]) / pivot;
+  }
+  for (std::size_t n = size - 1; n-- > 1;)
+  {
+    right[n] -= upper[n] * right[n + 1];
+    const double own = heights[nodes[n]];
+    right[n] = std::clamp(right[n], own - ReachOfFit * tolerance, own + ReachOfFit * tolerance);
+  }
+  return right;
+}
+}
+
 //----------------------------------------------------------------------------------------------------------------------
-void BandCut::Open(const PointWindow& row)
+void BandCut::Open(const PointWindow& row, double heightTolerance)
 {
   this->Ranges = Intersect(RangesBetween(std::move(this->Above)), RangesBetween(std::move(this->Below)));
-  std::unordered_set<std::int32_t> ends;
+  std::size_t first = 0;
   for (const Range& range : this->Ranges)
   {
-    ends.insert({ range.First, range.Last });
-  }
-  for (std::size_t n = 0; n < row.Columns.size(); ++n)
-  {
-    if (ends.count(row.Columns[n].X) > 0)
+    while (row.Columns[first].X < range.First) // Both ends are points.
     {
-      this->OpenEnds.push_back(row.First + PointId(n));
+      ++first;
     }
-    if (n > 0 && this->IsOpen(row.Columns[n - 1], row.Columns[n]))
+    std::size_t last = first;
+    while (row.Columns[last].X < range.Last)
     {
-      this->OpenEdges.push_back({ row.First + PointId(n - 1), row.First + PointId(n) });
+      ++last;
+    }
+    this->AddNodes(row, first, last, heightTolerance);
+    first = last;
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void BandCut::AddNodes(const PointWindow& row, std::size_t first, std::size_t last, double heightTolerance)
+{
+  const auto begin = row.Columns.begin();
+  const std::vector<PlanePoint> columns(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last) + 1);
+  const std::vector<double> heights(
+    row.Height.begin() + std::ptrdiff_t(first), row.Height.begin() + std::ptrdiff_t(last) + 1);
+  const SpacePoints points(columns, heights, 1);
+  const ColumnIndex index(columns);
+  const std::vector<unsigned char> visits(columns.size(), 2); // of points that stay
+  KeptOfChains known;
+  FewestPoints fewest(points, index, visits, 0.0, heightTolerance, known, []() {});
+  std::vector<PointId> chain(columns.size());
+  std::iota(chain.begin(), chain.end(), PointId(0));
+  std::vector<std::size_t> nodes = fewest.SimplifyChain(chain);
+  if (nodes.empty() || nodes.back() + 1 != columns.size())
+  {
+    nodes.push_back(columns.size() - 1);
+  }
+  const std::vector<double> fitted = FitLine(columns, heights, nodes, heightTolerance);
+  for (std::size_t n = 0; n + 1 < nodes.size(); ++n)
+  {
+    const auto idOf = [&](std::size_t node) { return row.First + PointId(first + nodes[node]); };
+    this->OpenEdges.push_back({ idOf(n), idOf(n + 1) });
+    if (n > 0)
+    {
+      this->InnerNodes.push_back({ idOf(n), fitted[n] });
     }
   }
 }
@@ -139,9 +227,9 @@ void BandCuts::AddEdge(PointId from, PointId to, bool isBoth)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void BandCuts::Open(std::size_t n)
+void BandCuts::Open(std::size_t n, double heightTolerance)
 {
-  this->Cuts[n].Open(this->Rows.Read(this->Cuts[n].Row(), this->Cuts[n].Row()));
+  this->Cuts[n].Open(this->Rows.Read(this->Cuts[n].Row(), this->Cuts[n].Row()), heightTolerance);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

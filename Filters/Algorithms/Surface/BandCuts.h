@@ -12,6 +12,7 @@
 #ifndef SeismicHorizonsBandCuts_h
 #define SeismicHorizonsBandCuts_h
 
+#include "Common/Horizon/BoundedHorizon.h"
 #include "Common/Horizon/PlaneGeometry.h"
 #include "Common/Horizon/Types.h"
 #include "PointRows.h"
@@ -40,8 +41,8 @@ public:
   void AddAbove(std::int32_t here, std::int32_t other) { this->Above.push_back({ here, other }); }
   void AddBelow(std::int32_t here, std::int32_t other) { this->Below.push_back({ here, other }); }
 
-  /// All edges must have been added. `row` has the points of the row.
-  void Open(const PointWindow& row);
+  /// All edges must have been added. `row` has the points of the row. Nodes are the fewest within a height tolerance.
+  void Open(const PointWindow& row, double heightTolerance);
 
   bool IsOpen(const PlanePoint& a, const PlanePoint& b) const
   {
@@ -51,9 +52,11 @@ public:
     return a.Y == this->At && b.Y == this->At && after != this->Ranges.begin() && greatest <= after[-1].Last;
   }
 
-  /// Open edges between points of the row, to the right, and the points where they meet the boundary.
+  /// Open edges between nodes of the row, to the right.
   const std::vector<Edge>& Edges() const { return this->OpenEdges; }
-  const std::vector<PointId>& Ends() const { return this->OpenEnds; }
+  /// Nodes that are not on the boundary. Their heights fit the row: beside nodes that are off by a part of the error, as
+  /// heights of whole voxels are, bands would need many times more vertices.
+  const std::vector<LockedHeight>& Nodes() const { return this->InnerNodes; }
 
 private:
   using Crossings = std::vector<std::array<std::int32_t, 2>>;
@@ -64,6 +67,7 @@ private:
     std::int32_t Last;
   };
 
+  void AddNodes(const PointWindow& row, std::size_t first, std::size_t last, double heightTolerance);
   static std::vector<Range> RangesBetween(Crossings crossings);
   static std::vector<Range> Intersect(const std::vector<Range>& some, const std::vector<Range>& others);
 
@@ -72,7 +76,7 @@ private:
   Crossings Below;
   std::vector<Range> Ranges; // ascending
   std::vector<Edge> OpenEdges;
-  std::vector<PointId> OpenEnds;
+  std::vector<LockedHeight> InnerNodes;
 };
 
 /// Loops of a boundary with a radius of 1, by bands.
@@ -94,7 +98,7 @@ public:
   /// Cut n lies between band n and the next one.
   const BandCut& Cut(std::size_t n) const { return this->Cuts[n]; }
   std::size_t NumberOfCuts() const { return this->Cuts.size(); }
-  void Open(std::size_t n);
+  void Open(std::size_t n, double heightTolerance);
 
   /// The edges around a band, with open ones along its cuts, and loops of one point. They can be taken once.
   std::vector<Edge> TakeEdges(std::size_t band);

@@ -654,6 +654,10 @@ private:
     }
     horizon.Dropped = this->Dropped;
     horizon.Boundary = this->Outlines;
+    for (const DroppedPoint& dropped : this->Part.Dropped)
+    {
+      horizon.Beside.push_back(dropped.Point);
+    }
     horizon.Locked = this->Part.Locked;
     horizon.Cuts = this->FaultedLinks();
     return horizon;

@@ -106,12 +106,12 @@ private:
     PartBoundary boundary;
     if (band < this->Cuts.NumberOfCuts())
     {
-      this->Cuts.Open(band);
-      this->FixEnds(this->Cuts.Cut(band), boundary);
+      this->Cuts.Open(band, this->Options.MaximumError);
+      LockCut(this->Cuts.Cut(band), boundary);
     }
     if (band > 0)
     {
-      this->FixEnds(this->Cuts.Cut(band - 1), boundary);
+      LockCut(this->Cuts.Cut(band - 1), boundary);
     }
     boundary.Edges = this->Cuts.TakeEdges(band);
     boundary.LoopsOfOne = this->Cuts.LoopsOfOne(band);
@@ -120,9 +120,16 @@ private:
     return this->Mesher.Mesh(std::move(window), std::move(boundary), monitor);
   }
 
-  static void FixEnds(const BandCut& cut, PartBoundary& boundary)
+  static void LockCut(const BandCut& cut, PartBoundary& boundary)
   {
-    boundary.Fixed.insert(cut.Ends().begin(), cut.Ends().end());
+    for (const Edge& edge : cut.Edges())
+    {
+      boundary.Fixed.insert({ edge.From, edge.To });
+    }
+    for (const LockedHeight& node : cut.Nodes())
+    {
+      boundary.Locked.emplace(node.Point, node.Height);
+    }
   }
 
   // ---- Strips ------------------------------------------------------------------------------------------------------
