@@ -272,6 +272,26 @@ void TestGenerated()
   }
   CHECK(more < 1.05);
 }
+
+/// Whole heights of a smooth surface leave little of the error: where vertices are off, insertion would not end.
+void TestSmooth()
+{
+  Points points;
+  for (int n = 0; n < 900 * 600; ++n)
+  {
+    const PlanePoint column{ n % 900, n / 900 };
+    points.Columns.push_back(column);
+    points.Height.push_back(std::round(30.0 * std::sin(0.002 * column.X) * std::cos(0.0015 * column.Y)));
+  }
+  SurfaceOptions options = Within(0.75);
+  options.Radius = 1;
+  const Surface whole = MakeSurface(points, options);
+  options.RowsOfPart = 200;
+  const Surface surface = MakeSurface(points, options);
+  std::cerr << surface.Mesh.Points.Source.size() << " for " << whole.Mesh.Points.Source.size() << '\n';
+  CHECK(double(surface.Mesh.Points.Source.size()) < 1.2 * double(whole.Mesh.Points.Source.size()));
+  CHECK(surface.Mesh.LargestLoopError <= 0.75 + 1e-9);
+}
 }
 
 int TestSurfaceParts(int, char*[])
@@ -279,5 +299,6 @@ int TestSurfaceParts(int, char*[])
   TestRandomPatches();
   TestCracks();
   TestGenerated();
+  TestSmooth();
   return Check::Result();
 }
