@@ -17,10 +17,9 @@ from .core import HorizonError
 # including its own (213 to 221).
 HELD = 80
 WORKED = 240
-# A horizon is meshed by rows in parts of so many columns; below two parts, it is meshed at once with so many bytes per point.
-# The index of columns and the mesh come in addition.
-PARTS = 2
-COLUMN_BYTES = 130
+# Bytes per column of a band of rows, of which one is meshed at a time; full bands take 107. Horizons below two bands are
+# meshed at once, with so many bytes per point. The index of columns and the mesh come in addition.
+COLUMN_BYTES = 115
 AT_ONCE = 80
 COLUMNS_PER_BYTE = 5
 MESH_BYTES = 0.6  # per point, of which one in 20 is left
@@ -108,7 +107,7 @@ def make_groups(sizes, budget):
 def bytes_by_rows(columns, rows, points):
     """Returns the memory to mesh points in so many columns and rows by rows."""
     part = _core.columns_of_part(columns, rows)
-    held = AT_ONCE * points if part == columns * rows else COLUMN_BYTES * PARTS * part
+    held = AT_ONCE * points if part == columns * rows else COLUMN_BYTES * part
     return held + columns * rows // COLUMNS_PER_BYTE + int(MESH_BYTES * points)
 
 

@@ -79,7 +79,7 @@ class PlanTest(unittest.TestCase):
         part = _core.columns_of_part(10000, 10000)
         self.assertTrue(2 * 10 ** 6 < part < 3 * 10 ** 6)
         self.assertEqual(memory.bytes_by_rows(10000, 10000, 10 ** 8) - memory.bytes_by_rows(10000, 10000, 0), 60 * 10 ** 6)
-        self.assertEqual(memory.bytes_by_rows(10000, 10000, 0), 2 * memory.COLUMN_BYTES * part + 20 * 10 ** 6)
+        self.assertEqual(memory.bytes_by_rows(10000, 10000, 0), memory.COLUMN_BYTES * part + 20 * 10 ** 6)
 
     def test_budget(self):
         with alone():
