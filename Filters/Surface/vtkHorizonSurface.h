@@ -24,6 +24,9 @@
  * bound of CrossingTolerance those on lines that its edges cross too far away; so they do in the search for the
  * largest error. Otherwise the mesh is that of the single stages.
  *
+ * Horizons of more than about 8.4 million columns are meshed in bands of rows (see "Large horizons" in
+ * HorizonSurface.md), which leaves about as many triangles.
+ *
  * The result is the same for any number of threads. Time is near linear; memory beyond the input is about 50 bytes per
  * point and 12 per column of the bounding box of a patch.
  *

@@ -42,7 +42,7 @@ class PreparationsTest(unittest.TestCase):
             self.assertLess(set(tables.ERROR_COLUMNS.values()), set(row))
             panel = overview.panels(result)[1]
             self.assertEqual((panel.title, panel.caption), ("Hole filling", "1 new point"))
-            self.assertFalse(settings.can_cut())
+            self.assertFalse(settings.can_go_by_rows())
         self.assertNotIn("filled", pipeline.run("hole.vsm", "Horizon 1", points, pipeline.Settings(rough=None)).data)
 
     def test_torn(self):

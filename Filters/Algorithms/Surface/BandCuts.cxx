@@ -15,7 +15,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double ReachOfFit = 0.9; // of the tolerance, from the node's own column
+constexpr double ReachOfNode = 0.9; // of the tolerance, from the node's own column
 
 /// Heights of nodes on a line through all columns with the least sum of squares, where the first and the last node keep
 /// their own. The equations have three diagonals (Thomas 1949).
@@ -59,7 +59,7 @@ std::vector<double> FitLine(const std::vector<PlanePoint>& columns, const std::v
   {
     right[n] -= upper[n] * right[n + 1];
     const double own = heights[nodes[n]];
-    right[n] = std::clamp(right[n], own - ReachOfFit * tolerance, own + ReachOfFit * tolerance);
+    right[n] = std::clamp(right[n], own - ReachOfNode * tolerance, own + ReachOfNode * tolerance);
   }
   return right;
 }
