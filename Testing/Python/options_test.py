@@ -130,7 +130,7 @@ class OptionsTest(unittest.TestCase):
         stages = settings.stages()[:3]
         self.assertEqual([name for name, _, _ in stages], ["despiked", "torn", "filled"])
         self.assertEqual((stages[0][2]["Threshold"], stages[1][2]["SmallestThrow"]), (2.5, 3.0))
-        self.assertFalse(settings.can_cut())
+        self.assertFalse(settings.can_go_by_rows())
         by_noise = self.stages("--cut-faults", "0")["torn"]
         self.assertEqual((by_noise.get("Detect", True), by_noise["SmallestThrow"]), (True, 0.0))
 
@@ -186,7 +186,7 @@ class OptionsTest(unittest.TestCase):
     def test_triangles(self):
         settings = self.settings("--triangles", "5000")
         self.assertEqual(settings.stages(), [("mesh", _core.surface, {"MaximumNumberOfTriangles": 5000})])
-        self.assertFalse(settings.can_cut())
+        self.assertFalse(settings.can_go_by_rows())
 
     def test_fewest_outline_points(self):
         settings = self.settings("--stages", "--fewest-outline-points", "--outline-tolerance", "0.5")
