@@ -13,12 +13,14 @@
 #include "Tools/Check.h"
 #include "Tools/CrackedPatches.h"
 #include "Tools/Patches.h"
+#include "Tools/RealHorizons.h"
 #include "Tools/TestHorizons.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -292,6 +294,25 @@ void TestSmooth()
   CHECK(double(surface.Mesh.Points.Source.size()) < 1.2 * double(whole.Mesh.Points.Source.size()));
   CHECK(surface.Mesh.LargestLoopError <= 0.75 + 1e-9);
 }
+
+/// Bands of real horizons, where there are some, take as many vertices.
+void TestReal()
+{
+  for (const std::filesystem::path& file : RealHorizons::Files())
+  {
+    std::vector<double> heights;
+    const Patches::Columns columns = RealHorizons::Read(file, &heights);
+    const Points points = SortedByRow(columns, heights);
+    SurfaceOptions options = Within(0.75);
+    options.Radius = 1;
+    const Surface whole = MakeSurface(points, options);
+    const PlaneBox box(points.Columns);
+    options.RowsOfPart = std::max(64, (box.Greatest.Y - box.Least.Y) / 4);
+    const Surface surface = MakeSurface(points, options);
+    CHECK_EQUAL(points.Columns.size() < 100000 ? Check(points, surface, options.MaximumError) : "", std::string());
+    CHECK(double(surface.Mesh.Points.Source.size()) < 1.02 * double(whole.Mesh.Points.Source.size()));
+  }
+}
 }
 
 int TestSurfaceParts(int, char*[])
@@ -300,5 +321,6 @@ int TestSurfaceParts(int, char*[])
   TestCracks();
   TestGenerated();
   TestSmooth();
+  TestReal();
   return Check::Result();
 }
