@@ -130,7 +130,8 @@ std::vector<unsigned char> CoveredColumns::Mark(PlanePoints columns) const
       for (auto point = std::size_t(first); point < std::size_t(last);)
       {
         const Run* const run = this->FindRun(columns[point]);
-        for (; run && point < std::size_t(last) && run->Contains(columns[point]); ++point) // Points are mostly row-major.
+        for (; run && point < std::size_t(last) && run->Contains(columns[point]);
+             ++point) // Points are mostly row-major.
         {
           marks[point] = 1;
         }

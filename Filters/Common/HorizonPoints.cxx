@@ -114,8 +114,7 @@ void HeightCheck::Finish() const
   constexpr double LeastDeviation = 2.0; // vertical indices
   // RealZ may differ from the vertical index, but in a survey their ratio is about constant.
   constexpr double MostStretch = 2.0;
-  const double stretch =
-    this->Sample.empty() ? 1.0 : FitSlope(this->Sample, LeastDeviation).value_or(1.0);
+  const double stretch = this->Sample.empty() ? 1.0 : FitSlope(this->Sample, LeastDeviation).value_or(1.0);
   if (stretch < 1.0 / MostStretch || stretch > MostStretch)
   {
     std::ostringstream text;

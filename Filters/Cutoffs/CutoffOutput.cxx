@@ -38,7 +38,7 @@ void ForEachPiece(const CutoffModelData& model, const CutHorizon& horizon, Visit
   }
 }
 
-const char* NameOf(FaultWall wall)
+const char* NameOfWall(FaultWall wall)
 {
   return wall == Footwall ? "footwall" : "hanging wall";
 }
@@ -69,7 +69,7 @@ Horizon WriteCutoffLines(const CutoffModelData& model, const CutHorizon& horizon
         }
         cells.Close();
         names.push_back(fault.Name());
-        walls.emplace_back(NameOf(wall));
+        walls.emplace_back(NameOfWall(wall));
       }
     });
   Horizon output;

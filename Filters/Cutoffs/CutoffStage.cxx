@@ -29,7 +29,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-void CheckOptions(const CutoffStageOptions& options)
+void CheckCutoffOptions(const CutoffStageOptions& options)
 {
   if (options.Dip != 0.0)
   {
@@ -280,7 +280,7 @@ LatticePoints ReadCutPoints(const Horizon& horizon)
 CutoffModelData RunCutoffs(const std::vector<CutInput>& horizons, const std::optional<PickedSticks>& given,
   const CutoffStageOptions& options, const Monitor& monitor)
 {
-  CheckOptions(options);
+  CheckCutoffOptions(options);
   CutoffModelData model;
   for (const CutInput& horizon : horizons)
   {

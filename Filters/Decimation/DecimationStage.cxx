@@ -123,8 +123,8 @@ void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimat
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void WriteMesh(const Horizon& nearest, const MergedParts& merged, const Lattice& lattice, Decimation& decimation,
-  Horizon& output)
+void WriteMesh(
+  const Horizon& nearest, const MergedParts& merged, const Lattice& lattice, Decimation& decimation, Horizon& output)
 {
   std::iota(decimation.Points.Source.begin(), decimation.Points.Source.end(), 0);
   output.Places = MakePoints(nearest, lattice, decimation.Points);

@@ -54,8 +54,8 @@ void CheckMaximumError(double error);
 void WriteMesh(const Horizon& input, const Lattice& lattice, Decimation& decimation, Horizon& output);
 
 /// The same for input points in parts: `nearest` has the source of each vertex.
-void WriteMesh(const Horizon& nearest, const MergedParts& merged, const Lattice& lattice, Decimation& decimation,
-  Horizon& output);
+void WriteMesh(
+  const Horizon& nearest, const MergedParts& merged, const Lattice& lattice, Decimation& decimation, Horizon& output);
 }
 
 #endif

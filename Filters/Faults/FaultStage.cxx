@@ -188,7 +188,7 @@ std::vector<double> FindHeights(const FaultLines& lines, std::size_t line, doubl
 
 /// A polyline runs through the middles of faulted links. Throw is positive where the left side of the line is higher.
 /// Links without a height take one from their line, or else `height`.
-void WriteFaultLines(const FaultLines& lines, const Lattice& lattice, double height, Horizon& output)
+void WriteDetectedLines(const FaultLines& lines, const Lattice& lattice, double height, Horizon& output)
 {
   CellWriter cells;
   std::vector<double> throws;
@@ -344,6 +344,6 @@ void RunFaults(const Horizon& horizon, GivenFaults& faultsGiven, FaultStageOptio
   }
   WriteCuts(lines, output.FieldData);
   const double sum = std::accumulate(points.Height.begin(), points.Height.end(), 0.0);
-  WriteFaultLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
+  WriteDetectedLines(lines, points.Lattice, sum / double(points.Height.size()), outputs[LinesPort]);
 }
 }

@@ -86,7 +86,7 @@ DataArray FillArray(const FilledArray& array, const FilledColumns& filled, std::
   return output;
 }
 
-DataArray FillColumns(const DataArray& array, const FilledColumns& filled)
+DataArray AppendColumns(const DataArray& array, const FilledColumns& filled)
 {
   DataArray output = CopyKnown(array, array.Tuples() + std::int64_t(filled.Column.size()));
   std::copy(filled.Column.begin(), filled.Column.end(), ColumnsIn(output) + array.Tuples());
@@ -194,7 +194,7 @@ void WriteFilledHorizon(const Horizon& input, const Lattice& lattice, const std:
     }
     if (HasName(array, { PointArray::Column }))
     {
-      output.PointData.Add(FillColumns(array, filled));
+      output.PointData.Add(AppendColumns(array, filled));
     }
     else if (found != arrays.end())
     {

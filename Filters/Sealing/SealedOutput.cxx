@@ -54,7 +54,7 @@ std::string NameLayerOf(const SealedModel& model, const std::vector<std::string>
 
 /// The triangles that are wanted, with their points; `sideOf` gives -1 for none, 1 for those that are turned.
 template <typename SideOf>
-Horizon WriteTriangles(const SealedModel& model, SideOf&& sideOf, std::vector<const SealedTriangle*>& written)
+Horizon WriteSealedTriangles(const SealedModel& model, SideOf&& sideOf, std::vector<const SealedTriangle*>& written)
 {
   CellWriter cells;
   std::vector<std::int64_t> numbers(model.Vertices.size(), -1);
@@ -96,7 +96,7 @@ Horizon WriteTriangles(const SealedModel& model, SideOf&& sideOf, std::vector<co
 Horizon WriteSurfaces(const SealedModel& model, const std::vector<std::string>& layers)
 {
   std::vector<const SealedTriangle*> written;
-  Horizon output = WriteTriangles(
+  Horizon output = WriteSealedTriangles(
     model, [](const SealedTriangle&) { return 0; }, written);
   std::vector<int> above, below;
   std::vector<std::string> layerAbove, layerBelow;
@@ -149,7 +149,7 @@ ClosedModel ToClosedModel(const SealedModel& model)
 }
 
 /// Kinds of lines by what meets there.
-std::string TypeOf(const SealedModel& model, const std::set<std::size_t>& surfaces)
+std::string TypeOfLine(const SealedModel& model, const std::set<std::size_t>& surfaces)
 {
   const auto has = [&](SealedSurfaceType type)
   {
@@ -180,7 +180,7 @@ Horizon WriteLines(const SealedModel& model)
     {
       surfaces.insert(topology.Faces[face].Surface);
     }
-    types.push_back(line.Faces.size() == 1 ? "tip" : TypeOf(model, surfaces));
+    types.push_back(line.Faces.size() == 1 ? "tip" : TypeOfLine(model, surfaces));
     std::string name;
     for (const std::size_t surface : surfaces)
     {
@@ -370,7 +370,7 @@ void WriteSealed(const SealedModel& model, const ArrayTable& fields, SealedStage
         : triangle.Body[0] == number              ? 1
                                                   : -1;
     };
-    Horizon surface = WriteTriangles(model, sideOf, written);
+    Horizon surface = WriteSealedTriangles(model, sideOf, written);
     AddArray<int>(surface.CellData, CellArray::Layer, std::vector<int>(written.size(), int(model.Bodies[body].Layer)));
     result.Bodies.push_back(withFields(std::move(surface)));
     result.BodyNames.push_back(NameBody(model, layers, number));

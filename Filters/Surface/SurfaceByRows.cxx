@@ -125,7 +125,9 @@ private:
     if (isTorn || points.IsMesh() || points.PointData.Has(PointArray::PointCount))
     {
       throw InputError(std::string("rows of points with ") +
-        (isTorn ? "faults" : points.IsMesh() ? "triangles" : PointArray::PointCount) +
+        (isTorn               ? "faults"
+            : points.IsMesh() ? "triangles"
+                              : PointArray::PointCount) +
         ", expected points as they are read");
     }
     return points;
@@ -139,8 +141,8 @@ private:
       return;
     }
     this->Heights->Add(
-      points.Horizon, [&points](std::int64_t point) { return points.Height[std::size_t(point)]; }, first,
-      this->Checked, end);
+      points.Horizon, [&points](std::int64_t point) { return points.Height[std::size_t(point)]; }, first, this->Checked,
+      end);
     this->Checked = end;
     if (this->Checked == this->NumberOfPoints())
     {
@@ -156,7 +158,7 @@ private:
   mutable std::int64_t Checked = 0; // points
 };
 
-HeightNoise MeasureHeightNoise(const CheckedRows& rows, const Monitor& monitor)
+HeightNoise MeasureNoiseByRows(const CheckedRows& rows, const Monitor& monitor)
 {
   NoiseSampler sampler(std::size_t(rows.NumberOfPoints()));
   do
@@ -171,7 +173,7 @@ HeightNoise MeasureHeightNoise(const CheckedRows& rows, const Monitor& monitor)
   return sampler.Noise();
 }
 
-double MeasureDiagonal(const CheckedRows& rows, const Monitor& monitor)
+double MeasureDiagonalByRows(const CheckedRows& rows, const Monitor& monitor)
 {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -least;
@@ -185,16 +187,16 @@ double MeasureDiagonal(const CheckedRows& rows, const Monitor& monitor)
   return LengthOfDiagonal(rows.Box(), least, greatest);
 }
 
-ErrorLimit FindMaximumError(
+ErrorLimit FindErrorByRows(
   const SurfaceStageOptions& given, const CheckedRows& rows, const Lattice& lattice, const Monitor& monitor)
 {
   if (!given.MaximumError)
   {
-    const HeightNoise noise = MeasureHeightNoise(rows, monitor);
+    const HeightNoise noise = MeasureNoiseByRows(rows, monitor);
     return { noise.MaximumError(), noise };
   }
   CheckMaximumError(*given.MaximumError);
-  const double indices = given.ErrorUnit == HeightUnit::Diagonal ? MeasureDiagonal(rows, monitor)
+  const double indices = given.ErrorUnit == HeightUnit::Diagonal ? MeasureDiagonalByRows(rows, monitor)
                                                                  : IndicesPerUnit(given.ErrorUnit, {}, {}, lattice);
   return { *given.MaximumError * indices, std::nullopt };
 }
@@ -294,7 +296,7 @@ private:
 };
 
 /// Adds the patches and marks of vertices.
-void WriteBoundary(const RowSurface& surface, const VertexPoints& vertices, Horizon& points)
+void WriteBoundaryOfVertices(const RowSurface& surface, const VertexPoints& vertices, Horizon& points)
 {
   const std::vector<std::pair<PointId, std::size_t>> numbers = vertices.Numbers();
   ExteriorBoundary ofVertices;
@@ -332,19 +334,16 @@ std::vector<std::string> RunSurfaceByRows(const HorizonRows& given, const Surfac
   }
   const Lattice lattice = rows.ReadPart(box.Least.Y, box.Least.Y).Lattice;
   const ErrorLimit limit =
-    HasErrorTarget(stage) ? FindMaximumError(stage, rows, lattice, monitor.Step(0.0, 0.1)) : ErrorLimit();
+    HasErrorTarget(stage) ? FindErrorByRows(stage, rows, lattice, monitor.Step(0.0, 0.1)) : ErrorLimit();
   MergedParts merged;
   // Targets come for whole rows, so that parts begin with their first point.
   const TakeTargets take = [&](PointId first, const std::vector<PointId>& targets)
   {
     rows.ForEachPart(first, first + std::int64_t(targets.size()), 0, Monitor(),
       [&](const LatticePoints& points, std::int64_t, std::int64_t begin, std::int64_t end)
-      {
-        merged.Add(points.Horizon.PointData, targets.data() + (begin - first), end - begin);
-      });
+      { merged.Add(points.Horizon.PointData, targets.data() + (begin - first), end - begin); });
   };
-  RowSurface surface =
-    MakeSurface(rows, MakeSurfaceOptions(stage, limit), mostAtOnce, take, monitor.Step(0.1, 0.9));
+  RowSurface surface = MakeSurface(rows, MakeSurfaceOptions(stage, limit), mostAtOnce, take, monitor.Step(0.1, 0.9));
   Surface& made = surface.Made;
   Reduction& reduced = made.Mesh.Points;
   const CoveredColumns covered(reduced.Plane, reduced.Boundary, 1);
@@ -364,7 +363,7 @@ std::vector<std::string> RunSurfaceByRows(const HorizonRows& given, const Surfac
   else
   {
     WriteDeviations(made, mesh.FieldData);
-    WriteBoundary(surface, vertices, vertices.Points);
+    WriteBoundaryOfVertices(surface, vertices, vertices.Points);
     WriteMesh(vertices.Points, merged, lattice, made.Mesh, mesh);
     vertices.WriteLedger(mesh.FieldData);
     CloseIfWanted(stage, lattice, reduced, monitor, mesh);

@@ -332,8 +332,8 @@ public:
     this->AddFile(frame);
     const RowsOfFile rows(*this->File, place, frame);
     Horizon mesh;
-    const std::vector<std::string> warnings = Run(progress,
-      [&](const Monitor& monitor) { return RunSurfaceByRows(rows, options, mostAtOnce, mesh, monitor); });
+    const std::vector<std::string> warnings =
+      Run(progress, [&](const Monitor& monitor) { return RunSurfaceByRows(rows, options, mostAtOnce, mesh, monitor); });
     return nb::make_tuple(GiveData(mesh), warnings);
   }
 

@@ -10,8 +10,8 @@
 #include "Filters/BoundarySimplification/BoundarySimplificationStage.h"
 #include "Filters/CellSimplification/CellSimplificationStage.h"
 #include "Filters/Common/StageReport.h"
-#include "Filters/Decimation/DecimationStage.h"
 #include "Filters/Contours/ContoursStage.h"
+#include "Filters/Decimation/DecimationStage.h"
 #include "Filters/Despiking/DespikingStage.h"
 #include "Filters/Faults/FaultStage.h"
 #include "Filters/HoleFilling/HoleFillingStage.h"
@@ -306,8 +306,9 @@ void BindStages(nb::module_& module)
   nb::class_<GivenFaults>(module, "GivenFaults")
     .def(
       "__init__",
-      [](GivenFaults* self, const nb::dict& lines)
-      { new (self) GivenFaults(std::vector<NamedHorizon>{ { "", TakeData(lines) } }); },
+      [](GivenFaults* self, const nb::dict& lines) {
+        new (self) GivenFaults(std::vector<NamedHorizon>{ { "", TakeData(lines) } });
+      },
       "lines"_a)
     .def("warnings", &GivenFaults::Warnings);
   module.def("faults", &FindFaults, "horizon"_a, "lines"_a.none(), "options"_a, "progress"_a.none());

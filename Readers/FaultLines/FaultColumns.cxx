@@ -66,7 +66,7 @@ FaultRole RoleOfFaultColumn(std::string_view name)
   return role == FaultRole::Ignored && isFault ? FaultRole::Fault : role;
 }
 
-bool HasPlace(const std::vector<FaultRole>& roles)
+bool HavePlace(const std::vector<FaultRole>& roles)
 {
   const auto has = [&roles](FaultRole role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); };
   return has(FaultRole::X) && has(FaultRole::Y) && has(FaultRole::Z);
@@ -199,7 +199,7 @@ std::vector<FaultRole> ParseRoles(const std::string& list)
   {
     roles.push_back(RoleOfFaultColumn(Trim(name)));
   }
-  if (!HasPlace(roles) || KeepFirst(roles) != roles)
+  if (!HavePlace(roles) || KeepFirst(roles) != roles)
   {
     throw InputError(
       "columns " + list + " of fault lines, expected X, Y and Z, and perhaps Fault, Stick and Node, each once");
@@ -224,11 +224,11 @@ std::optional<std::vector<FaultRole>> RolesOfNames(const TextLayout& header, con
     roles.push_back(role == FaultRole::Ignored ? RoleOf(column.Role) : role);
   }
   roles = KeepFirst(roles);
-  if (!HasPlace(roles) && roles.size() != rows.front().size())
+  if (!HavePlace(roles) && roles.size() != rows.front().size())
   {
     return std::nullopt;
   }
-  if (!HasPlace(roles))
+  if (!HavePlace(roles))
   {
     throw ErrorAt(header.HeaderLines, "column names without x, y and z, expected all three: set Columns");
   }

@@ -27,7 +27,7 @@ bool AreNegative(const std::vector<SpacePoint>& places)
     std::any_of(places.begin(), places.end(), [](const SpacePoint& place) { return place.Z < 0.0; });
 }
 
-std::string Describe(const FaultLineFile& file, bool isUp)
+std::string DescribeLines(const FaultLineFile& file, bool isUp)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -133,7 +133,8 @@ FaultLineData LoadFaultLines(const std::vector<std::string>& paths, const FaultT
       });
     const bool isUp = file.IsUpright ||
       (!file.SaysDirection && (direction ? *direction == VerticalDirection::Up : AreNegative(file.Places)));
-    data.Description += (n > 0 ? "\n" : "") + (areSeveral ? StemOf(path) + ": " : std::string()) + Describe(file, isUp);
+    data.Description +=
+      (n > 0 ? "\n" : "") + (areSeveral ? StemOf(path) + ": " : std::string()) + DescribeLines(file, isUp);
     if (areSeveral)
     {
       NameLines(StemOf(path), file);

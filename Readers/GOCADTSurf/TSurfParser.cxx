@@ -307,7 +307,7 @@ void SkipByteOrderMark(std::istream& stream)
 }
 
 /// Returns the type in lower case, or nothing for other formats.
-std::optional<std::string> FirstTypeOfGOCAD(const std::string& head)
+std::optional<std::string> FirstTypeOf(const std::string& head)
 {
   const std::string text = head + '\n';
   for (std::size_t start = 0; start < text.size(); start = text.find('\n', start) + 1)
@@ -326,7 +326,7 @@ ObjectParser ParseObjects(
 {
   ObjectParser parser(choice, type);
   const std::string head = PeekText(stream, HeadSize);
-  if (!FirstTypeOfGOCAD(head))
+  if (!FirstTypeOf(head))
   {
     // Files of other formats may have no newline; their first lines suffice for the error.
     const std::size_t newline = head.rfind('\n');
@@ -345,7 +345,7 @@ ObjectParser ParseObjects(
     monitor.Progress(lines.PartRead());
   }
   // The type may be truncated.
-  if (parser.List.Names.empty() && !StartsWith(type, FirstTypeOfGOCAD(head).value_or("")))
+  if (parser.List.Names.empty() && !StartsWith(type, FirstTypeOf(head).value_or("")))
   {
     RefuseOtherFormats(head, "a surface of GOCAD (TSurf)");
   }
@@ -357,7 +357,7 @@ ObjectParser ParseObjects(
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<std::string> FirstTypeOfGOCAD(std::istream& stream)
 {
-  return FirstTypeOfGOCAD(PeekText(stream, HeadSize));
+  return FirstTypeOf(PeekText(stream, HeadSize));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

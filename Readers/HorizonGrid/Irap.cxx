@@ -24,7 +24,7 @@ struct IrapHeader
   Eigen::Vector2d Centre = Eigen::Vector2d::Zero(); // of the rotation
 };
 
-std::string PlaceText(const Eigen::Vector2d& place)
+std::string PointText(const Eigen::Vector2d& place)
 {
   return '(' + ShortestText(place.x()) + ", " + ShortestText(place.y()) + ')';
 }
@@ -36,7 +36,7 @@ SurveyLattice IrapLattice(const IrapHeader& header)
   if (header.Degrees != 0.0 && (header.Centre - header.Origin).cwiseAbs().maxCoeff() > LargestNodeShift * step)
   {
     throw InputError(
-      "a rotation around " + PlaceText(header.Centre) + ", expected the origin, " + PlaceText(header.Origin));
+      "a rotation around " + PointText(header.Centre) + ", expected the origin, " + PointText(header.Origin));
   }
   return TurnedLattice(header.Columns, header.Origin, header.Steps, header.Degrees);
 }

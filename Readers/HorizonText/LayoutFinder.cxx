@@ -194,7 +194,7 @@ std::string DoubtOfNames(const TextLayout& layout, const std::vector<TextColumn>
 }
 
 /// z has the unit and domain of its own name; the first field, of names of horizons, may have no name.
-void DescribeZ(TextLayout& layout, const std::vector<TextColumn>& names)
+void DescribeZByNames(TextLayout& layout, const std::vector<TextColumn>& names)
 {
   const auto z = std::size_t(layout.Find(FieldRole::Z));
   const std::size_t unnamed = layout.Columns.size() - names.size();
@@ -304,7 +304,7 @@ TextLayout FindTextLayout(const TextLines& lines, const TextOptions& options)
     return layout;
   }
   CheckRoles(layout.Columns);
-  DescribeZ(layout, names);
+  DescribeZByNames(layout, names);
   if (layout.IsGuessed)
   {
     RefuseDoubtfulColumns(sample, layout);

@@ -133,12 +133,36 @@ def names_of(path):
     if path.suffix == ".h":
         yield from names_in(text, (TYPE,))
         return
+    for space in unnamed_spaces(text):
+        yield from names_in(space, (TYPE, CONSTANT, FUNCTION))
+
+
+def unnamed_spaces(text):
     for space in re.finditer(r"^namespace\n\{\n", text, re.M):
         depth, end = 1, space.end()
         while depth > 0:
-            brace = re.compile(r"^[{}]", re.M).search(text, end)
+            brace = re.compile(r"^(\{$|\})", re.M).search(text, end)
             depth, end = depth + (1 if brace.group() == "{" else -1), brace.end()
-        yield from names_in(text[space.end():end], (TYPE, CONSTANT, FUNCTION))
+        yield text[space.end():end]
+
+
+def is_method(path):
+    """Whether a file is compiled with all methods, and without VTK."""
+    return path.parts[0] in ("Common", "Filters", "Readers", "Writers") and path.parts[1] != "VTK" and not path.name.startswith("vtk")
+
+
+def check_hidden(tree, paths):
+    """Where files are compiled as one, a function of an unnamed namespace hides declared ones of its name."""
+    declared, unnamed = {}, {}
+    for path in paths:
+        place = path.relative_to(tree).as_posix()
+        text = path.read_text(encoding="utf-8")
+        for part in [text] if path.suffix == ".h" else unnamed_spaces(text):
+            for found in re.finditer(r"^[A-Za-z][\w:<>,&* ]*[ *&]([A-Z]\w+)\(", part, re.M):
+                (declared if path.suffix == ".h" else unnamed).setdefault(found.group(1), set()).add(place)
+    assert len(declared) > 300 and len(unnamed) > 900, (len(declared), len(unnamed))
+    return ["%s: %s hides that of %s" % (place, name, " and ".join(sorted(declared[name])))
+            for name in sorted(set(declared) & set(unnamed)) for place in sorted(unnamed[name])]
 
 
 def check_names(tree, paths):
@@ -192,7 +216,8 @@ def main():
         if path.relative_to(tree).parts[0] not in FREE:
             wrong += check_file(tree, path, floors, rules, classes, arrows) + check_comments(tree, path, names)
     wrong += check_cycles(arrows)
-    wrong += check_names(tree, [path for path in sources if path.relative_to(tree).parts[0] not in FREE])
+    compiled = [path for path in sources if path.relative_to(tree).parts[0] not in FREE]
+    wrong += check_names(tree, compiled) + check_hidden(tree, [path for path in compiled if is_method(path.relative_to(tree))])
     for path in sources + scripts:
         wrong += check_length(tree, path) + check_functions(tree, path)
     print("\n".join(wrong) or "%d files on %d floors" % (len(sources), len(set(floors.values()))))

@@ -21,7 +21,7 @@ namespace
 {
 constexpr int MostLayers = 1 << 20; // Larger numbers mean something else.
 
-const DataArray* FindNumbers(const VolumeGrid& grid, const char* name)
+const DataArray* FindCellNumbers(const VolumeGrid& grid, const char* name)
 {
   const DataArray* const array = grid.CellData.Find(name);
   return array && !array->IsText() && array->Components() == 1 ? array : nullptr;
@@ -29,7 +29,7 @@ const DataArray* FindNumbers(const VolumeGrid& grid, const char* name)
 
 const DataArray& RequireArray(const VolumeGrid& grid, const char* name)
 {
-  const DataArray* const array = FindNumbers(grid, name);
+  const DataArray* const array = FindCellNumbers(grid, name);
   if (!array)
   {
     throw InputError(
@@ -79,8 +79,8 @@ void ReadCells(const VolumeGrid& grid, VolumeCells& cells, const Monitor& monito
   constexpr std::int64_t betweenReports = 1 << 16;
   const DataArray& layers = RequireArray(grid, CellArray::Layer);
   const DataArray& triangles = RequireArray(grid, CellArray::Triangle);
-  const DataArray* const sublayers = FindNumbers(grid, CellArray::Sublayer);
-  const DataArray* const faults = FindNumbers(grid, CellArray::FaultFaces);
+  const DataArray* const sublayers = FindCellNumbers(grid, CellArray::Sublayer);
+  const DataArray* const faults = FindCellNumbers(grid, CellArray::FaultFaces);
   const std::int64_t size = grid.Cells.Size();
   for (std::int64_t cell = 0; cell < size; ++cell)
   {

@@ -172,7 +172,7 @@ constexpr std::int64_t PointsPerCopy = 512;
 
 constexpr std::size_t NoWay = std::numeric_limits<std::size_t>::max() / 2;
 
-KeptOfChains::key_type KeyOf(const std::vector<PointId>& chain)
+KeptOfChains::key_type KeyOfChain(const std::vector<PointId>& chain)
 {
   return { chain.front(), chain[chain.size() > 1 ? 1 : 0], chain.size() };
 }
@@ -395,7 +395,7 @@ std::vector<std::size_t> FewestPoints::SimplifyFrom(const std::vector<PointId>& 
   std::vector<std::size_t> kept;
   for (const std::vector<PointId>& chain : chains)
   {
-    const std::vector<std::size_t>& positions = this->Known.at(KeyOf(chain));
+    const std::vector<std::size_t>& positions = this->Known.at(KeyOfChain(chain));
     std::transform(positions.begin(), positions.end() - 1, std::back_inserter(kept),
       [&](std::size_t position) { return (first + position) % loop.size(); });
     first += chain.size() - 1;
@@ -412,7 +412,7 @@ void FewestPoints::Learn(const std::vector<std::vector<PointId>>& chains)
   std::size_t points = 0;
   for (const std::vector<PointId>& chain : chains)
   {
-    if (this->Known.count(KeyOf(chain)) == 0)
+    if (this->Known.count(KeyOfChain(chain)) == 0)
     {
       unknown.push_back(&chain);
       points += chain.size();
@@ -442,7 +442,7 @@ void FewestPoints::Learn(const std::vector<std::vector<PointId>>& chains)
   }
   for (std::size_t n = 0; n < unknown.size(); ++n)
   {
-    this->Known.emplace(KeyOf(*unknown[n]), std::move(kept[n]));
+    this->Known.emplace(KeyOfChain(*unknown[n]), std::move(kept[n]));
   }
 }
 

@@ -27,7 +27,7 @@ struct CutLine
   double Middle() const { return 0.5 * (this->Height[0] + this->Height[1]); }
 };
 
-double HeightAt(const CutoffPiece& piece, FaultWall wall, double s)
+double HeightOnWall(const CutoffPiece& piece, FaultWall wall, double s)
 {
   const auto after = std::lower_bound(piece.Pairs.begin() + 1, piece.Pairs.end() - 1, s,
     [](const CutoffPair& pair, double value) { return pair.S < value; });
@@ -49,7 +49,7 @@ std::vector<CutInterval> ListIntervals(const std::vector<const HorizonCutoffs*>&
         CutInterval interval{ std::ptrdiff_t(horizon), {} };
         for (const FaultWall wall : { Footwall, HangingWall })
         {
-          interval.Height[wall] = { HeightAt(piece, wall, from), HeightAt(piece, wall, to) };
+          interval.Height[wall] = { HeightOnWall(piece, wall, from), HeightOnWall(piece, wall, to) };
           if (!intervals.empty())
           {
             for (const std::size_t end : { 0, 1 })

@@ -93,7 +93,8 @@ private:
   {
     MeshFit errors(this->Mesh, this->Surface.RaisedVertices());
     errors.Measure(
-      0, this->Mesh.Size(), [this](TriangleId triangle) -> const HeightRaster& { return this->Surface.RasterOf(triangle); },
+      0, this->Mesh.Size(),
+      [this](TriangleId triangle) -> const HeightRaster& { return this->Surface.RasterOf(triangle); },
       [this](PointId point, VertexId vertex) { this->Result.Points.Target[point] = vertex; }, monitor);
     for (VertexId vertex = 0; vertex < this->Surface.EndOfVertices(); ++vertex)
     {

@@ -76,8 +76,7 @@ RaisedTriangle MeshFit::Corners(TriangleId triangle) const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void MeshFit::AddColumns(
-  TriangleId triangle, const HeightRaster& raster, const Assign& assign, Part& part) const
+void MeshFit::AddColumns(TriangleId triangle, const HeightRaster& raster, const Assign& assign, Part& part) const
 {
   raster.ForEachColumn(this->Corners(triangle),
     [&](PointId point, double error, const std::array<double, 3>& weights)
@@ -126,8 +125,8 @@ void MeshFit::AddEdges(TriangleId triangle, const HeightRaster& raster, Part& pa
   for (int edge = 0; edge < 3; ++edge)
   {
     const bool isOnLoop = this->Mesh.Neighbour(triangle, edge) == NoTriangle;
-    const CrossingErrors own = raster.MeasureCrossings(this->Vertices[this->Mesh.Corner(triangle, edge)],
-      this->Vertices[this->Mesh.Corner(triangle, NextCorner(edge))]);
+    const CrossingErrors own = raster.MeasureCrossings(
+      this->Vertices[this->Mesh.Corner(triangle, edge)], this->Vertices[this->Mesh.Corner(triangle, NextCorner(edge))]);
     CrossingErrors& all = part.Crossings;
     all.Inside = isOnLoop ? all.Inside : std::max(all.Inside, own.Inside);
     all.BesideLoops = std::max({ all.BesideLoops, own.BesideLoops, isOnLoop ? own.Inside : 0.0 });

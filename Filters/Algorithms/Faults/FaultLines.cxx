@@ -25,7 +25,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-void RequireFinite(
+void RequireFiniteNumbers(
   const char* kind, std::size_t number, std::initializer_list<double> coordinates, const std::string& units)
 {
   if (std::all_of(coordinates.begin(), coordinates.end(), [](double value) { return std::isfinite(value); }))
@@ -377,7 +377,7 @@ void RequireFinite(const std::vector<SpacePoint>& places, std::size_t stick)
 {
   for (const SpacePoint& place : places)
   {
-    RequireFinite("fault stick", stick, { place.X, place.Y, place.Z }, "world coordinates");
+    RequireFiniteNumbers("fault stick", stick, { place.X, place.Y, place.Z }, "world coordinates");
   }
 }
 
@@ -429,7 +429,7 @@ FaultLines CutAlong(
   {
     for (const MapPlace& place : polylines[line])
     {
-      RequireFinite("fault polyline", line, { place.X, place.Y }, "columns");
+      RequireFiniteNumbers("fault polyline", line, { place.X, place.Y }, "columns");
     }
   }
   FaultLines lines;

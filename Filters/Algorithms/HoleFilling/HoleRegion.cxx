@@ -230,7 +230,7 @@ SiteSystem<2> MakePlate(const HoleRegion& region, double ringWeight)
 }
 
 /// Plates with equal places and kinds of places are equal.
-std::string KeyOf(const HoleRegion& region)
+std::string KeyOfRegion(const HoleRegion& region)
 {
   const std::vector<BoxRun>& runs = region.Near->Runs;
   std::string key(reinterpret_cast<const char*>(runs.data()), runs.size() * sizeof(BoxRun));
@@ -550,7 +550,7 @@ std::shared_ptr<const HolePlate> HolePlates::Get(const HoleRegion& region, doubl
   {
     return std::make_shared<const HolePlate>(region, ringWeight);
   }
-  const std::string key = KeyOf(region);
+  const std::string key = KeyOfRegion(region);
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     const auto found = this->Kept.find(key);

@@ -23,7 +23,7 @@ namespace
 constexpr int FewestTurned = 2;
 constexpr double LeastPartTurned = 0.1;
 
-std::string PlaceText(const GuidePick& pick)
+std::string PickText(const GuidePick& pick)
 {
   std::ostringstream text;
   text << "at column " << pick.I << ", row " << pick.J << ", sample " << pick.Place;
@@ -61,14 +61,14 @@ void CheckGuide(const Guide& guide, const std::vector<std::size_t>& order, const
     if (pick.I < 0 || pick.I >= columns[0] || pick.J < 0 || pick.J >= columns[1] ||
       !(pick.Place >= 0.0 && pick.Place <= samples - 1))
     {
-      throw InputError(NameText(guide) + "pick " + std::to_string(number + 1) + ' ' + PlaceText(pick) +
+      throw InputError(NameText(guide) + "pick " + std::to_string(number + 1) + ' ' + PickText(pick) +
         ", is outside of the cube, which has " + std::to_string(columns[0]) + " columns, " +
         std::to_string(columns[1]) + " rows and " + std::to_string(samples) + " samples");
     }
     if (previous && previous->I == pick.I && previous->J == pick.J && pick.Place - previous->Place > quarter)
     {
       std::ostringstream text;
-      text << NameText(guide) << "two picks in one column, " << PlaceText(*previous) << " and " << pick.Place
+      text << NameText(guide) << "two picks in one column, " << PickText(*previous) << " and " << pick.Place
            << ", expected one, or both within a quarter of the dominant period, " << quarter << " samples";
       throw InputError(text.str());
     }

@@ -236,7 +236,7 @@ private:
 
 // ---- Picks ---------------------------------------------------------------------------------------------------------
 
-bool AreSame(const ReflectionOptions& a, const ReflectionOptions& b)
+bool AreSameReflections(const ReflectionOptions& a, const ReflectionOptions& b)
 {
   const auto tie = [](const ReflectionOptions& options)
   {
@@ -254,7 +254,7 @@ bool JoinAlike(const ExtractionOptions& a, const ExtractionOptions& b)
     return std::tie(options.PhaseRotation, options.Joining, options.Connectivity, options.LargestStep,
       options.SmallestCorrelation, options.SmallestContact);
   };
-  return AreSame(a.Reflections, b.Reflections) && tie(a) == tie(b);
+  return AreSameReflections(a.Reflections, b.Reflections) && tie(a) == tie(b);
 }
 
 /// Seeds have the tolerance.

@@ -652,9 +652,9 @@ std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vec
 }
 
 /// The block of each pick, or NoBlock if it is not used.
-std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHorizon& horizon, const BlockWindow& all,
-  const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks, double drop,
-  const Monitor& monitor)
+std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, const SealingHorizon& horizon,
+  const BlockWindow& all, const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks,
+  double drop, const Monitor& monitor)
 {
   std::vector<std::int32_t> blockOf(horizon.Columns.size(), NoBlock);
   ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
@@ -674,7 +674,7 @@ std::vector<std::int32_t> FindBlocks(const SealingInput& input, const SealingHor
 }
 
 /// The picks of a horizon by block.
-std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t number, const BlockFiller& filler,
+std::vector<BlockHeights> ListBlockPicks(const SealingInput& input, std::size_t number, const BlockFiller& filler,
   const BlockTree& tree, double drop, PickAccount& account, const Monitor& monitor)
 {
   const SealingHorizon& horizon = input.Horizons[number];
@@ -694,7 +694,7 @@ std::vector<BlockHeights> ListPicks(const SealingInput& input, std::size_t numbe
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  const std::vector<std::int32_t> blockOf = FindBlocks(input, horizon, all, isDropped, blocks, drop, monitor);
+  const std::vector<std::int32_t> blockOf = FindBlockOfPoints(input, horizon, all, isDropped, blocks, drop, monitor);
   for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
     if (blockOf[pick] != NoBlock)
@@ -845,7 +845,7 @@ HorizonBlocks FindBlockHeights(SealingInput& input, const SealingOptions& option
   {
     const Monitor part = monitor.Step(step * double(horizon), step * double(horizon + 1));
     std::vector<BlockHeights> own =
-      ListPicks(input, horizon, filler, tree, drop, result.Accounts[horizon], part.Step(0.0, 0.3));
+      ListBlockPicks(input, horizon, filler, tree, drop, result.Accounts[horizon], part.Step(0.0, 0.3));
     if (std::none_of(own.begin(), own.end(), [](const BlockHeights& block) { return block.Known >= FewestOfBlock; }))
     {
       throw InputError("horizon " + input.Horizons[horizon].Name + " without " + std::to_string(FewestOfBlock) +

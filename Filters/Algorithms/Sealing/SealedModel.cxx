@@ -595,7 +595,8 @@ void RequireFull(const SealingInput& input, const std::vector<SealedBody>& bodie
 }
 
 /// Adds triangles and bodies. Strips beyond tips are steps if they are higher than gaps that may be closed.
-void Describe(const SealedComplex& complex, const ModelSheets& sheets, double thinnest, double gap, SealedModel& model)
+void DescribeModel(
+  const SealedComplex& complex, const ModelSheets& sheets, double thinnest, double gap, SealedModel& model)
 {
   const ComplexBodies bodies = FindBodies(complex);
   const auto layers = std::int32_t(sheets.NumberOfLayers());
@@ -678,7 +679,7 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
     [](const SealingFault& fault) { return fault.Plate.Name(); });
   model.Vertices = complex.Vertices;
   constexpr double thinnest = 1e-3; // columns
-  Describe(complex, sheets, thinnest * column, improver.LineError, model);
+  DescribeModel(complex, sheets, thinnest * column, improver.LineError, model);
   RequireFull(input, model.Bodies);
   model.Blocks = sheets.BlocksOfLabels();
   model.Guessed = sheets.Guessed();

@@ -187,8 +187,8 @@ BandCuts::BandCuts(const PointRows& rows, std::int32_t rowsOfBand, const Loops& 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t BandCuts::BandOf(std::int32_t row) const
 {
-  const auto after = std::upper_bound(this->Cuts.begin(), this->Cuts.end(), row,
-    [](std::int32_t own, const BandCut& cut) { return own < cut.Row(); });
+  const auto after = std::upper_bound(
+    this->Cuts.begin(), this->Cuts.end(), row, [](std::int32_t own, const BandCut& cut) { return own < cut.Row(); });
   return std::size_t(after - this->Cuts.begin());
 }
 

@@ -86,10 +86,7 @@ public:
   BandCuts(const PointRows& rows, std::int32_t rowsOfBand, const Loops& boundary);
 
   std::size_t NumberOfBands() const { return this->Edges.size(); }
-  std::int32_t FirstRow(std::size_t band) const
-  {
-    return band == 0 ? this->Box.Least.Y : this->Cuts[band - 1].Row();
-  }
+  std::int32_t FirstRow(std::size_t band) const { return band == 0 ? this->Box.Least.Y : this->Cuts[band - 1].Row(); }
   std::int32_t LastRow(std::size_t band) const
   {
     return band == this->Cuts.size() ? this->Box.Greatest.Y : this->Cuts[band].Row();

@@ -112,8 +112,8 @@ void PartAssembly::SimplifyLoops()
   const auto pointOf = [this](PointId number) { return this->LoopPoints[std::size_t(number)]; };
   const Loops boundary = this->Result.Boundary.Boundary.RenumberedBy(numberOf);
   std::vector<unsigned char> isKept(this->LoopPoints.size(), 0);
-  std::for_each(this->OnOutlines.begin(), this->OnOutlines.end(),
-    [&](PointId point) { isKept[std::size_t(numberOf(point))] = 1; });
+  std::for_each(
+    this->OnOutlines.begin(), this->OnOutlines.end(), [&](PointId point) { isKept[std::size_t(numberOf(point))] = 1; });
   for (std::size_t loop = 0; loop < boundary.Size(); ++loop)
   {
     isKept[std::size_t(*boundary.begin(loop))] |= boundary.Length(loop) == 1 ? 1 : 0;
@@ -232,7 +232,8 @@ void PartAssembly::TargetRows::Complete(PointId end)
     return;
   }
   const auto size = std::size_t(end - this->First);
-  std::vector<PointId> rest(this->Targets.begin() + std::ptrdiff_t(std::min(size, this->Targets.size())), this->Targets.end());
+  std::vector<PointId> rest(
+    this->Targets.begin() + std::ptrdiff_t(std::min(size, this->Targets.size())), this->Targets.end());
   this->Targets.resize(size, NoPoint);
   for (PointId vertex = this->Whole.VertexOf(this->First); vertex < this->Whole.VertexOf(end); ++vertex)
   {

@@ -11,9 +11,9 @@
 #include "Common/Horizon/Types.h"
 #include "Filters/Algorithms/Decimation/HeightRaster.h"
 #include "Filters/Algorithms/Decimation/PlaneMesh.h"
-#include "SurfacePart.h"
 #include "PointRows.h"
 #include "Surface.h"
+#include "SurfacePart.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -74,8 +74,8 @@ private:
   };
 
   void SimplifyLoops();
-  void Measure(const PlaneMesh& plane, const std::vector<RaisedPoint>& raised, const TakeTargets& take,
-    const Monitor& monitor);
+  void Measure(
+    const PlaneMesh& plane, const std::vector<RaisedPoint>& raised, const TakeTargets& take, const Monitor& monitor);
   HeightRaster MakeRaster(const PointWindow& window) const;
   std::int32_t FirstRowAfter(std::size_t piece) const;
   PointId VertexOf(PointId point) const;

@@ -60,8 +60,8 @@ public:
   {
     PointWindow window;
     window.First = this->FirstOf(firstRow);
-    this->Rows.Read(std::max(firstRow, this->Area.Least.Y), std::min(lastRow, this->Area.Greatest.Y), window.Columns,
-      window.Height);
+    this->Rows.Read(
+      std::max(firstRow, this->Area.Least.Y), std::min(lastRow, this->Area.Greatest.Y), window.Columns, window.Height);
     if (window.Columns.size() != std::size_t(this->FirstOf(lastRow + 1) - window.First))
     {
       throw InputError(std::to_string(window.Columns.size()) + " points in rows " + std::to_string(firstRow) + " to " +
@@ -158,8 +158,10 @@ RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& given, std::
   {
     if (points > mostAtOnce)
     {
-      throw InputError(std::to_string(points) + " points to be meshed at once (with a radius above 1, another effort than "
-        "Best, a number of triangles, or an edge length), expected at most " + std::to_string(mostAtOnce));
+      throw InputError(std::to_string(points) +
+        " points to be meshed at once (with a radius above 1, another effort than "
+        "Best, a number of triangles, or an edge length), expected at most " +
+        std::to_string(mostAtOnce));
     }
     return MakeAtOnce(rows, options, take, monitor.Step(0.2, 1.0));
   }

@@ -47,8 +47,7 @@ void SurfacePart::Add(const SurfacePart& other)
   }
   this->Chains.insert(other.Chains.begin(), other.Chains.end());
   this->Dropped.insert(other.Dropped.begin(), other.Dropped.end());
-  this->AddedToOutlines.insert(
-    this->AddedToOutlines.end(), other.AddedToOutlines.begin(), other.AddedToOutlines.end());
+  this->AddedToOutlines.insert(this->AddedToOutlines.end(), other.AddedToOutlines.begin(), other.AddedToOutlines.end());
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -138,8 +137,7 @@ SurfacePart PartMesher::ToPart(const PartPoints& points, const Loops& exact, con
   for (std::size_t corner = 0; corner < made.Mesh.Triangles.size(); corner += 3)
   {
     const PointId* const corners = made.Mesh.Triangles.data() + corner;
-    part.Triangles.push_back(
-      { ownAt(sourceOf(corners[0])), ownAt(sourceOf(corners[1])), ownAt(sourceOf(corners[2])) });
+    part.Triangles.push_back({ ownAt(sourceOf(corners[0])), ownAt(sourceOf(corners[1])), ownAt(sourceOf(corners[2])) });
   }
   for (std::size_t vertex = 0; vertex < sources.size(); ++vertex)
   {
@@ -186,8 +184,7 @@ std::vector<PartMesher::State> PartMesher::FindStates(
       ForEachColumnBetween(at(from), at(to),
         [&](const PlanePoint& between, double)
         {
-          const auto column =
-            std::lower_bound(window.Columns.begin(), window.Columns.end(), between, PrecedesByRow);
+          const auto column = std::lower_bound(window.Columns.begin(), window.Columns.end(), between, PrecedesByRow);
           if (column != window.Columns.end() && *column == between)
           {
             states[std::size_t(column - window.Columns.begin())] = State::Beside;

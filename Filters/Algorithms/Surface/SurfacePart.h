@@ -85,8 +85,7 @@ private:
 
   PartPoints Select(PointWindow window, const Loops& loops, const std::set<PointId>& dropped) const;
   static SurfacePart ToPart(const PartPoints& points, const Loops& exact, const Surface& made);
-  std::vector<State> FindStates(
-    const PointWindow& window, const Loops& loops, const std::set<PointId>& dropped) const;
+  std::vector<State> FindStates(const PointWindow& window, const Loops& loops, const std::set<PointId>& dropped) const;
   void AddBeside(
     const PointWindow& window, const PlanePoint& from, const PlanePoint& to, std::vector<State>& states) const;
 

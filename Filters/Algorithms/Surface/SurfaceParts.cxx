@@ -277,8 +277,8 @@ private:
     for (const PartCorners& corners : made.Triangles)
     {
       const PlanePoint place = this->At(corners[0]);
-      const bool isBesideOther = std::any_of(
-        corners.begin(), corners.end(), [&made](PointId corner) { return made.Locked.count(corner) > 0; });
+      const bool isBesideOther =
+        std::any_of(corners.begin(), corners.end(), [&made](PointId corner) { return made.Locked.count(corner) > 0; });
       if (isBesideOther && SineOfSmallestAngle(place, this->At(corners[1]), this->At(corners[2])) < sine)
       {
         this->NotGood.push_back(place);
@@ -294,8 +294,8 @@ private:
     std::vector<PartCorners> taken;
     for (SurfacePart* const mesh : meshes)
     {
-      const auto first = std::stable_partition(mesh->Triangles.begin(), mesh->Triangles.end(),
-        [&](const PartCorners& corners) { return !isChosen(corners); });
+      const auto first = std::stable_partition(
+        mesh->Triangles.begin(), mesh->Triangles.end(), [&](const PartCorners& corners) { return !isChosen(corners); });
       taken.insert(taken.end(), first, mesh->Triangles.end());
       mesh->Triangles.erase(first, mesh->Triangles.end());
     }
@@ -318,8 +318,7 @@ private:
     std::for_each(
       boundary.Edges.begin(), boundary.Edges.end(), [&](const Edge& edge) { box.Add(this->At(edge.From)); });
     std::for_each(boundary.Dropped.begin(), boundary.Dropped.end(), [&](PointId point) { box.Add(this->At(point)); });
-    SurfacePart made =
-      this->Mesher.Mesh(this->Mesher.Read(box.Least.Y, box.Greatest.Y), std::move(boundary), monitor);
+    SurfacePart made = this->Mesher.Mesh(this->Mesher.Read(box.Least.Y, box.Greatest.Y), std::move(boundary), monitor);
     for (const std::uint64_t key : sides.Inner)
     {
       made.Chains.erase(key);

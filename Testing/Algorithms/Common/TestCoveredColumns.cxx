@@ -24,8 +24,8 @@ bool IsIn(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, const P
   return SignedArea(a, b, c) != 0 && (*least >= 0 || *greatest <= 0);
 }
 
-Ledger AccountAll(const CoveredColumns& covered, PlanePoints columns, const std::vector<unsigned char>& filled,
-  const KeptPoints& kept)
+Ledger AccountAll(
+  const CoveredColumns& covered, PlanePoints columns, const std::vector<unsigned char>& filled, const KeptPoints& kept)
 {
   Ledger ledger = covered.Account(columns, filled, kept);
   covered.Bridge(ledger);
@@ -116,7 +116,8 @@ void TestLoops()
   CHECK_EQUAL(covered.Count(), 44);
   const std::vector<PlanePoint> points = { { 0, 0 }, { 4, 3 }, { 8, 2 }, { 3, 2 }, { 9, 2 }, { 10, 2 }, { 2, 6 },
     { 6, 6 }, { 5, 2 }, { 6, 2 }, { 11, 11 } };
-  const Ledger ledger = AccountAll(covered, points, { 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 1 }, KeptPoints::All(points.size()));
+  const Ledger ledger =
+    AccountAll(covered, points, { 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 1 }, KeptPoints::All(points.size()));
   CHECK_EQUAL(ledger[LedgerEntry::Known], 3);
   CHECK_EQUAL(ledger[LedgerEntry::Filled], 1);
   CHECK_EQUAL(ledger[LedgerEntry::Extrapolated], 1);

@@ -124,8 +124,8 @@ void TestParts()
     NoiseSampler sampler(columns.size());
     const auto firstOf = [&columns](int row)
     {
-      return std::size_t(std::partition_point(columns.begin(), columns.end(),
-                           [row](const PlanePoint& column) { return column.Y < row; }) -
+      return std::size_t(std::partition_point(
+                           columns.begin(), columns.end(), [row](const PlanePoint& column) { return column.Y < row; }) -
         columns.begin());
     };
     int rounds = 0;
@@ -136,8 +136,8 @@ void TestParts()
         const std::size_t before = firstOf(row - sampler.Rim());
         const std::size_t behind = firstOf(row + 90 + sampler.Rim());
         const ColumnIndex index(PlanePoints(columns.data() + before, behind - before));
-        sampler.Add(index, { heights.begin() + std::ptrdiff_t(before), heights.begin() + std::ptrdiff_t(behind) }, before,
-          firstOf(row), firstOf(row + 90));
+        sampler.Add(index, { heights.begin() + std::ptrdiff_t(before), heights.begin() + std::ptrdiff_t(behind) },
+          before, firstOf(row), firstOf(row + 90));
       }
       ++rounds;
     } while (!sampler.Finish());

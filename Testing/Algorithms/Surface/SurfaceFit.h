@@ -132,8 +132,8 @@ private:
         }
         const double onLink = this->Given.Height[first->second] +
           (x - left) * (this->Given.Height[second->second] - this->Given.Height[first->second]);
-        const double onEdge = this->Mesh.Points.Height[low] +
-          part * (this->Mesh.Points.Height[high] - this->Mesh.Points.Height[low]);
+        const double onEdge =
+          this->Mesh.Points.Height[low] + part * (this->Mesh.Points.Height[high] - this->Mesh.Points.Height[low]);
         this->Result.LargestOfEdges = std::max(this->Result.LargestOfEdges, std::abs(onEdge - onLink));
       }
     }

@@ -3,9 +3,9 @@
 //
 // Horizons that are meshed in parts: one mesh within the error everywhere, as good as one that is made at once.
 
-#include "Filters/Algorithms/Surface/RowSurface.h"
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
+#include "Filters/Algorithms/Surface/RowSurface.h"
 #include "Generator/HorizonGenerator.h"
 #include "SurfaceFit.h"
 #include "SurfaceInputs.h"
@@ -90,8 +90,8 @@ public:
   }
 
   PlaneBox Box() const override { return PlaneBox(this->Given.Columns); }
-  void Read(std::int32_t first, std::int32_t last, std::vector<PlanePoint>& columns,
-    std::vector<double>& height) const override
+  void Read(
+    std::int32_t first, std::int32_t last, std::vector<PlanePoint>& columns, std::vector<double>& height) const override
   {
     for (std::size_t n = 0; n < this->Given.Columns.size(); ++n)
     {
@@ -115,8 +115,8 @@ std::string Tell(const Surface& surface, const std::vector<PointId>& targets, st
   const Decimation& mesh = surface.Mesh;
   for (std::size_t vertex = 0; vertex < mesh.Points.Source.size(); ++vertex)
   {
-    text << mesh.Points.Source[vertex] << ' ' << mesh.Points.Plane[vertex].X << ' ' << mesh.Points.Plane[vertex].Y << ' '
-         << mesh.Points.Height[vertex] << ' ' << int(mesh.Points.Averaged[vertex]) << '\n';
+    text << mesh.Points.Source[vertex] << ' ' << mesh.Points.Plane[vertex].X << ' ' << mesh.Points.Plane[vertex].Y
+         << ' ' << mesh.Points.Height[vertex] << ' ' << int(mesh.Points.Averaged[vertex]) << '\n';
   }
   for (const Loops* const loops : { &mesh.Points.Boundary, &surface.Boundary.Boundary })
   {
@@ -147,8 +147,8 @@ std::string CompareRows(const Points& points, const SurfaceOptions& options, Sur
     targets[std::size_t(surface.Kept[n])] = surface.Mesh.Points.Target[n];
   }
   surface.Boundary.Boundary = surface.Boundary.Boundary.RenumberedBy(numberOf);
-  std::transform(surface.Mesh.Points.Source.begin(), surface.Mesh.Points.Source.end(),
-    surface.Mesh.Points.Source.begin(), numberOf);
+  std::transform(
+    surface.Mesh.Points.Source.begin(), surface.Mesh.Points.Source.end(), surface.Mesh.Points.Source.begin(), numberOf);
   std::vector<PointId> read;
   const RowSurface byRows = MakeSurface(Reader(points), options, std::int64_t(points.Columns.size()),
     [&](PointId first, const std::vector<PointId>& some)
