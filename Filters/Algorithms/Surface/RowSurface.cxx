@@ -37,12 +37,14 @@ void ForEachBlock(const RowReader& rows, const Monitor& monitor, Visitor&& visit
 class IndexedRows : public PointRows
 {
 public:
-  IndexedRows(const RowReader& rows, const ColumnIndex& index, const PatchSpans& patches, bool areAllKept)
+  IndexedRows(const RowReader& rows, const ColumnIndex& index, const PatchSpans& patches, bool areAllKept,
+    std::int32_t rowsOfPart)
     : Rows(rows)
     , Index(index)
     , Patches(patches)
     , AreAllKept(areAllKept)
     , Area(rows.Box())
+    , MostRows(2 * std::int64_t(rowsOfPart))
   {
   }
 
@@ -58,35 +60,78 @@ public:
 
   PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const override
   {
+    const std::int32_t first = std::max(firstRow, this->Area.Least.Y);
+    const std::int32_t last = std::min(lastRow, this->Area.Greatest.Y);
     PointWindow window;
-    window.First = this->FirstOf(firstRow);
-    this->Rows.Read(
-      std::max(firstRow, this->Area.Least.Y), std::min(lastRow, this->Area.Greatest.Y), window.Columns, window.Height);
-    if (window.Columns.size() != std::size_t(this->FirstOf(lastRow + 1) - window.First))
+    window.First = this->FirstOf(first);
+    if (first > last)
     {
-      throw InputError(std::to_string(window.Columns.size()) + " points in rows " + std::to_string(firstRow) + " to " +
-        std::to_string(lastRow) + ", expected the " + std::to_string(this->FirstOf(lastRow + 1) - window.First) +
-        " that were there before: the file has changed");
+      return window;
     }
+    this->Keep(first, last);
+    const std::ptrdiff_t begin = window.First - this->Kept.First;
+    const std::ptrdiff_t end = this->FirstOf(last + 1) - this->Kept.First;
+    window.Columns.assign(this->Kept.Columns.begin() + begin, this->Kept.Columns.begin() + end);
+    window.Height.assign(this->Kept.Height.begin() + begin, this->Kept.Height.begin() + end);
     if (!this->AreAllKept)
     {
       window.IsLeftOut.assign(window.Columns.size(), 0);
       this->Patches.ForEach(window.First, window.First + PointId(window.Columns.size()),
-        [&window](PointId first, PointId last, std::int32_t patch)
+        [&window](PointId from, PointId to, std::int32_t patch)
         {
-          const auto begin = window.IsLeftOut.begin() - window.First;
-          std::fill(begin + first, begin + last, patch == NoPatch ? 1 : 0);
+          const auto start = window.IsLeftOut.begin() - window.First;
+          std::fill(start + from, start + to, patch == NoPatch ? 1 : 0);
         });
     }
     return window;
   }
 
 private:
+  /// Keeps rows of about two bands, as those around a cut are read several times.
+  void Keep(std::int32_t first, std::int32_t last) const
+  {
+    if (first >= this->FirstKept && last <= this->LastKept)
+    {
+      return;
+    }
+    const bool isEmpty = this->LastKept < this->FirstKept;
+    const bool continues = !isEmpty && first >= this->FirstKept && first <= this->LastKept + 1;
+    if (!continues)
+    {
+      this->Kept = PointWindow();
+      this->Kept.First = this->FirstOf(first);
+      this->FirstKept = first;
+      this->LastKept = first - 1;
+    }
+    const auto rows = std::int32_t(std::min<std::int64_t>(first, std::int64_t(last) - this->MostRows));
+    if (rows > this->FirstKept)
+    {
+      const std::ptrdiff_t gone = this->FirstOf(rows) - this->Kept.First;
+      this->Kept.Columns.erase(this->Kept.Columns.begin(), this->Kept.Columns.begin() + gone);
+      this->Kept.Height.erase(this->Kept.Height.begin(), this->Kept.Height.begin() + gone);
+      this->Kept.First += PointId(gone);
+      this->FirstKept = rows;
+    }
+    this->Rows.Read(this->LastKept + 1, last, this->Kept.Columns, this->Kept.Height);
+    this->LastKept = last;
+    const PointId expected = this->FirstOf(last + 1) - this->Kept.First;
+    if (this->Kept.Columns.size() != std::size_t(expected))
+    {
+      throw InputError(std::to_string(this->Kept.Columns.size()) + " points in rows " +
+        std::to_string(this->FirstKept) + " to " + std::to_string(last) + ", expected the " + std::to_string(expected) +
+        " that were there before: the file has changed");
+    }
+  }
+
   const RowReader& Rows;
   const ColumnIndex& Index;
   const PatchSpans& Patches;
   const bool AreAllKept;
   const PlaneBox Area;
+  const std::int64_t MostRows;
+  mutable PointWindow Kept;
+  mutable std::int32_t FirstKept = 0;
+  mutable std::int32_t LastKept = -1;
 };
 
 /// Makes the surface of all points.
@@ -178,7 +223,7 @@ RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& given, std::
   result.Patches = std::move(boundary.Patches);
   result.DroppedPoints =
     std::accumulate(boundary.PatchSizes.begin(), boundary.PatchSizes.end(), points, std::minus<>());
-  const IndexedRows indexed(rows, index, result.Patches, result.DroppedPoints == 0);
+  const IndexedRows indexed(rows, index, result.Patches, result.DroppedPoints == 0, rowsOfPart);
   MakeInParts(indexed, rowsOfPart, options, made, take, monitor.Step(0.25, 1.0));
   return result;
 }
