@@ -40,16 +40,20 @@ void PartAssembly::AddHeights(const PointWindow& window)
 void PartAssembly::Add(const SurfacePart& mesh)
 {
   Piece piece;
+  std::vector<PointId> points;
   for (const PartCorners& corners : mesh.Triangles)
   {
-    for (const PointId point : corners)
-    {
-      const std::int32_t row = this->Rows.ColumnOf(point).Y;
-      piece.FirstRow = std::min(piece.FirstRow, row);
-      piece.LastRow = std::max(piece.LastRow, row);
-      this->Vertices.emplace_back(point, mesh.Heights.at(point));
-    }
+    points.insert(points.end(), corners.begin(), corners.end());
     this->Triangles.push_back(corners);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (const PointId point : points)
+  {
+    const std::int32_t row = this->Rows.ColumnOf(point).Y;
+    piece.FirstRow = std::min(piece.FirstRow, row);
+    piece.LastRow = std::max(piece.LastRow, row);
+    this->Vertices.emplace_back(point, mesh.Heights.at(point));
   }
   for (const auto& [key, chain] : mesh.Chains)
   {
