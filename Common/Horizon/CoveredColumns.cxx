@@ -121,22 +121,29 @@ std::int64_t CoveredColumns::Count() const
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+// Calls visit(point, is covered). Points are mostly row-major, so the next ones are often in the same run.
+template <typename Visitor>
+void CoveredColumns::ForEachPoint(PlanePoints columns, std::int64_t first, std::int64_t last, Visitor&& visit) const
+{
+  for (auto point = std::size_t(first); point < std::size_t(last);)
+  {
+    const Run* const run = this->FindRun(columns[point]);
+    do
+    {
+      visit(point++, run != nullptr);
+    } while (run && point < std::size_t(last) && run->Contains(columns[point]));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<unsigned char> CoveredColumns::Mark(PlanePoints columns) const
 {
   std::vector<unsigned char> marks(columns.size(), 0);
   ParallelFor(std::int64_t(marks.size()), Grain,
     [&](std::int64_t first, std::int64_t last)
     {
-      for (auto point = std::size_t(first); point < std::size_t(last);)
-      {
-        const Run* const run = this->FindRun(columns[point]);
-        for (; run && point < std::size_t(last) && run->Contains(columns[point]);
-             ++point) // Points are mostly row-major.
-        {
-          marks[point] = 1;
-        }
-        point += run ? 0 : 1;
-      }
+      this->ForEachPoint(
+        columns, first, last, [&](std::size_t point, bool isCovered) { marks[point] = isCovered ? 1 : 0; });
     });
   return marks;
 }
@@ -156,20 +163,19 @@ Ledger CoveredColumns::Account(
   const auto entryOf = [&](std::size_t point) { return filled.empty() ? LedgerEntry::Known : EntryOf(filled[point]); };
   const auto count = [&](Ledger& ledger, std::int64_t first, std::int64_t last)
   {
-    for (auto point = std::size_t(first); point < std::size_t(last);)
-    {
-      const Run* const run = this->FindRun(columns[point]);
-      if (!run)
+    this->ForEachPoint(columns, first, last,
+      [&](std::size_t point, bool isCovered)
       {
-        ledger[LedgerEntry::LeftOut] += entryOf(point) == LedgerEntry::Known ? 1 : 0;
-        ++point;
-        continue;
-      }
-      for (; point < std::size_t(last) && run->Contains(columns[point]); ++point) // Points are mostly row-major.
-      {
-        ++ledger[entryOf(point)];
-      }
-    }
+        const LedgerEntry entry = entryOf(point);
+        if (isCovered)
+        {
+          ++ledger[entry];
+        }
+        else if (entry == LedgerEntry::Known)
+        {
+          ++ledger[LedgerEntry::LeftOut];
+        }
+      });
   };
   Ledger ledger = AddUpChunks<Ledger>(std::int64_t(columns.size()), ChunkSize, Monitor(), count);
   const auto correct = [&](PointId point) // A dropped point under the mesh was counted as Known.

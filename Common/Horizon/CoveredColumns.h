@@ -55,6 +55,8 @@ private:
   void AddEdge(const PlanePoint& from, const PlanePoint& to, std::int32_t subVoxelsPerColumn);
   void MakeRuns();
   const Run* FindRun(const PlanePoint& column) const;
+  template <typename Visitor>
+  void ForEachPoint(PlanePoints columns, std::int64_t first, std::int64_t last, Visitor&& visit) const;
 
   std::vector<Change> Changes; // empty once there are runs
   std::vector<Run> Runs; // sorted by rows and columns

@@ -182,17 +182,24 @@ void PartAssembly::Measure(
 //----------------------------------------------------------------------------------------------------------------------
 HeightRaster PartAssembly::MakeRaster(const PointWindow& window) const
 {
-  const auto size = std::int64_t(window.Columns.size());
+  const PointId end = window.First + PointId(window.Columns.size());
   std::vector<PointId> dropped;
-  std::vector<unsigned char> isDropped(window.Columns.size(), 0);
-  for (auto one = this->DroppedFrom(window.First); one != this->DroppedFrom(window.First + PointId(size)); ++one)
+  for (auto one = this->DroppedFrom(window.First); one != this->DroppedFrom(end); ++one)
   {
     dropped.push_back(one->Point - window.First);
-    isDropped[std::size_t(dropped.back())] = 1;
   }
+  return RasterOfWindow(window, dropped, this->Options.Cuts, dropped);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+HeightRaster RasterOfWindow(const PointWindow& window, const std::vector<PointId>& leftOut, const LinkCuts* cuts,
+  const std::vector<PointId>& dropped)
+{
+  std::vector<unsigned char> isLeftOut(window.Columns.size(), 0);
+  std::for_each(leftOut.begin(), leftOut.end(), [&](PointId point) { isLeftOut[std::size_t(point)] = 1; });
   const auto pointAt = [&](std::int64_t n)
-  { return isDropped[std::size_t(n)] == 0 && window.HasPatch(std::size_t(n)) ? PointId(n) : NoPoint; };
-  return HeightRaster(size, pointAt, window.Columns, window.Height.data(), this->Options.Cuts, dropped);
+  { return isLeftOut[std::size_t(n)] == 0 && window.HasPatch(std::size_t(n)) ? PointId(n) : NoPoint; };
+  return HeightRaster(std::int64_t(isLeftOut.size()), pointAt, window.Columns, window.Height.data(), cuts, dropped);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

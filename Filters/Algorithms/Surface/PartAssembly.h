@@ -27,6 +27,10 @@ namespace SeismicHorizons
 /// Takes the vertices of successive points, NoPoint for those without.
 using TakeTargets = std::function<void(PointId first, const std::vector<PointId>& targets)>;
 
+/// The points of a window that have a patch, but for some; `dropped` ones count on links. Points are numbered in the window.
+HeightRaster RasterOfWindow(const PointWindow& window, const std::vector<PointId>& leftOut, const LinkCuts* cuts,
+  const std::vector<PointId>& dropped = {});
+
 class PartAssembly
 {
 public:

@@ -103,14 +103,14 @@ private:
       this->FirstKept = first;
       this->LastKept = first - 1;
     }
-    const auto rows = std::int32_t(std::min<std::int64_t>(first, std::int64_t(last) - this->MostRows));
-    if (rows > this->FirstKept)
+    const auto firstLeft = std::int32_t(std::min<std::int64_t>(first, std::int64_t(last) - this->MostRows));
+    if (firstLeft > this->FirstKept)
     {
-      const std::ptrdiff_t gone = this->FirstOf(rows) - this->Kept.First;
+      const std::ptrdiff_t gone = this->FirstOf(firstLeft) - this->Kept.First;
       this->Kept.Columns.erase(this->Kept.Columns.begin(), this->Kept.Columns.begin() + gone);
       this->Kept.Height.erase(this->Kept.Height.begin(), this->Kept.Height.begin() + gone);
       this->Kept.First += PointId(gone);
-      this->FirstKept = rows;
+      this->FirstKept = firstLeft;
     }
     this->Rows.Read(this->LastKept + 1, last, this->Kept.Columns, this->Kept.Height);
     this->LastKept = last;
@@ -211,13 +211,9 @@ RowSurface MakeSurface(const RowReader& rows, const SurfaceOptions& given, std::
     return MakeAtOnce(rows, options, take, monitor.Step(0.2, 1.0));
   }
   Surface& made = result.Made;
-  made.Parameters = ParametersWithin(options);
-  BoundaryOptions ofBoundary;
-  ofBoundary.Growth = options.Growth;
-  ofBoundary.KeepHoles = options.KeepHoles;
-  ofBoundary.MinimumPatchSize = options.MinimumPatchSize;
-  ofBoundary.SmallestHoleSize = made.Parameters.SmallestHoleSize;
-  RowBoundary boundary = FindExteriorBoundary(index, ofBoundary, monitor.Step(0.2, 0.25));
+  made.Parameters = ParametersFor(options, *options.Radius, options.MaximumError);
+  RowBoundary boundary =
+    FindExteriorBoundary(index, BoundaryOptionsFor(options, made.Parameters), monitor.Step(0.2, 0.25));
   made.Boundary.Boundary = std::move(boundary.Boundary);
   made.Boundary.NumberOfPatches = boundary.NumberOfPatches;
   result.Patches = std::move(boundary.Patches);

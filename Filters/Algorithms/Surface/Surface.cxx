@@ -328,7 +328,6 @@ constexpr double LargestKeptAngle = 10.0;
 // Points of outlines this far (columns) do nothing for a sliver.
 constexpr double FarthestReach = 16.0;
 
-/// The boundary is found again only if its smallest hole changes.
 class SurfaceMaker
 {
 public:
@@ -347,7 +346,7 @@ public:
     this->Result.Boundary.Boundary = std::move(this->Part.Boundary);
     this->Result.Boundary.Patch.assign(this->Points.Columns.size(), 0);
     this->Result.Kept = KeptPoints::All(this->Points.Columns.size());
-    this->Result.Parameters.SmallestHoleSize = this->SmallestHoleFor(this->ToleranceFor(options.MaximumError));
+    this->Result.Parameters = ParametersFor(options, this->Radius(), options.MaximumError);
     this->HasBoundary = true;
   }
 
@@ -607,30 +606,19 @@ private:
     this->Outlines = std::move(simplified.Boundary);
   }
 
+  /// The boundary is found again only if its smallest hole changes.
   void SetParameters(double error)
   {
-    SurfaceParameters& parameters = this->Result.Parameters;
-    parameters.MaximumError = error;
-    parameters.OutlineTolerance = this->ToleranceFor(error);
-    parameters.DistanceThreshold = this->Options.DistanceThreshold.value_or(error);
-  }
-
-  double ToleranceFor(double error) const
-  {
-    const bool isByNumber = this->Options.MaximumNumberOfTriangles > 0;
-    return this->Options.OutlineTolerance.value_or(isByNumber ? error : ToleranceOfOutlines(error));
-  }
-
-  std::int64_t SmallestHoleFor(double tolerance) const
-  {
-    return this->Options.SmallestHoleSize ? *this->Options.SmallestHoleSize
-                                          : ChooseSmallestHoleSize(this->Result.Parameters.Radius, tolerance);
+    const std::int64_t before = this->Result.Parameters.SmallestHoleSize;
+    this->Result.Parameters = ParametersFor(this->Options, this->Radius(), error);
+    this->HasBoundary = this->HasBoundary && this->Result.Parameters.SmallestHoleSize == before;
   }
 
   /// Outlines for this error are of the holes at hand.
   bool HasHolesFor(double error) const
   {
-    return this->SmallestHoleFor(this->ToleranceFor(error)) == this->Result.Parameters.SmallestHoleSize;
+    return ParametersFor(this->Options, this->Radius(), error).SmallestHoleSize ==
+      this->Result.Parameters.SmallestHoleSize;
   }
 
   PlanePoints Columns() const
@@ -691,19 +679,11 @@ private:
 
   void FindBoundary(const Monitor& monitor)
   {
-    SurfaceParameters& parameters = this->Result.Parameters;
-    BoundaryOptions options;
-    options.Radius = parameters.Radius;
-    options.Growth = this->Options.Growth;
-    options.KeepHoles = this->Options.KeepHoles;
-    options.MinimumPatchSize = this->Options.MinimumPatchSize;
-    options.SmallestHoleSize = this->SmallestHoleFor(parameters.OutlineTolerance);
-    if (this->HasBoundary && parameters.SmallestHoleSize == options.SmallestHoleSize)
+    if (this->HasBoundary)
     {
       return;
     }
-    parameters.SmallestHoleSize = options.SmallestHoleSize;
-    options.Cuts = this->Options.Cuts;
+    const BoundaryOptions options = BoundaryOptionsFor(this->Options, this->Result.Parameters);
     if (!this->Index)
     {
       this->Index.emplace(IndexForBoundary(this->Points.Columns, options));
@@ -764,17 +744,31 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurfaceParameters ParametersWithin(const SurfaceOptions& options)
+SurfaceParameters ParametersFor(const SurfaceOptions& options, int radius, double error)
 {
-  const double error = options.MaximumError;
+  const bool isByNumber = options.MaximumNumberOfTriangles > 0;
   SurfaceParameters parameters;
-  parameters.Radius = *options.Radius;
+  parameters.Radius = radius;
   parameters.MaximumError = error;
-  parameters.OutlineTolerance = options.OutlineTolerance.value_or(ToleranceOfOutlines(error));
+  parameters.OutlineTolerance = options.OutlineTolerance.value_or(isByNumber ? error : ToleranceOfOutlines(error));
   parameters.DistanceThreshold = options.DistanceThreshold.value_or(error);
-  parameters.SmallestHoleSize =
-    options.SmallestHoleSize.value_or(ChooseSmallestHoleSize(parameters.Radius, parameters.OutlineTolerance));
+  parameters.SmallestHoleSize = options.SmallestHoleSize
+    ? *options.SmallestHoleSize
+    : ChooseSmallestHoleSize(parameters.Radius, parameters.OutlineTolerance);
   return parameters;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+BoundaryOptions BoundaryOptionsFor(const SurfaceOptions& options, const SurfaceParameters& parameters)
+{
+  BoundaryOptions ofBoundary;
+  ofBoundary.Radius = parameters.Radius;
+  ofBoundary.Growth = options.Growth;
+  ofBoundary.KeepHoles = options.KeepHoles;
+  ofBoundary.MinimumPatchSize = options.MinimumPatchSize;
+  ofBoundary.SmallestHoleSize = parameters.SmallestHoleSize;
+  ofBoundary.Cuts = options.Cuts;
+  return ofBoundary;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -154,8 +154,9 @@ private:
 int ChooseRadius(const GapHistograms& gaps);
 int ChooseRadius(PlanePoints columns);
 
-/// For an error as the target, and a given radius.
-SurfaceParameters ParametersWithin(const SurfaceOptions& options);
+/// The parameters that follow from an error, which is also the tolerance of a number of triangles.
+SurfaceParameters ParametersFor(const SurfaceOptions& options, int radius, double error);
+BoundaryOptions BoundaryOptionsFor(const SurfaceOptions& options, const SurfaceParameters& parameters);
 
 // The number of triangles falls about as the error to the power of -1.5, a line in logarithms. The search follows it
 // until errors on both sides of the number are known, then takes secants.

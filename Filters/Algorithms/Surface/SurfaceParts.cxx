@@ -240,24 +240,21 @@ private:
   HeightRaster MakeRaster(
     const PointWindow& window, const SurfacePart& made, const std::vector<SurfacePart*>& others) const
   {
-    std::vector<unsigned char> isDropped(window.Columns.size(), 0);
-    const auto mark = [&](const SurfacePart& mesh)
+    std::vector<PointId> dropped;
+    const auto add = [&](const SurfacePart& part)
     {
-      for (const PointId point : mesh.Dropped)
+      for (const PointId point : part.Dropped)
       {
-        const auto n = std::size_t(point - window.First); // huge for points before the window
-        if (n < isDropped.size())
+        const PointId n = point - window.First;
+        if (n >= 0 && std::size_t(n) < window.Columns.size())
         {
-          isDropped[n] = 1;
+          dropped.push_back(n);
         }
       }
     };
-    mark(made);
-    std::for_each(others.begin(), others.end(), [&](const SurfacePart* mesh) { mark(*mesh); });
-    const auto pointAt = [&](std::int64_t n)
-    { return isDropped[std::size_t(n)] == 0 && window.HasPatch(std::size_t(n)) ? PointId(n) : NoPoint; };
-    return HeightRaster(
-      std::int64_t(isDropped.size()), pointAt, window.Columns, window.Height.data(), this->Options.Cuts);
+    add(made);
+    std::for_each(others.begin(), others.end(), [&](const SurfacePart* part) { add(*part); });
+    return RasterOfWindow(window, dropped, this->Options.Cuts);
   }
 
   std::pair<std::int32_t, std::int32_t> RowsOf(const std::vector<PartCorners>& triangles) const
