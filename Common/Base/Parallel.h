@@ -67,8 +67,15 @@ void RunOnThreads(std::int64_t size, std::int64_t grain, const std::function<voi
 /// Applies to programs without VTK.
 int& NumberOfThreads();
 
+/// The number of threads on which loops run.
+int MostThreads();
+
 /// Counts for the calling thread, in programs without VTK, for benchmarks: what more threads cannot share is the rest.
-double& SecondsInLoops();
+inline double& SecondsInLoops()
+{
+  thread_local double seconds = 0.0;
+  return seconds;
+}
 }
 
 /// Calls work(first, last) for ranges of about `grain` or more indices, which cover 0 to `size`, `last` excluded, in

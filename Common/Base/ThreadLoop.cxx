@@ -27,10 +27,9 @@ int& NumberOfThreads()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-double& SecondsInLoops()
+int MostThreads()
 {
-  thread_local double seconds = 0.0;
-  return seconds;
+  return NumberOfThreads();
 }
 
 namespace

@@ -10,6 +10,12 @@ namespace SeismicHorizons
 namespace Detail
 {
 //----------------------------------------------------------------------------------------------------------------------
+int MostThreads()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void RunOnThreads(std::int64_t size, std::int64_t grain, const std::function<void(std::int64_t, std::int64_t)>& range)
 {
   const auto run = [&range](vtkIdType first, vtkIdType last) { range(first, last); };

@@ -91,8 +91,7 @@ void BandCut::AddNodes(const PointWindow& row, std::size_t first, std::size_t la
 {
   const auto begin = row.Columns.begin();
   const std::vector<PlanePoint> columns(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last) + 1);
-  const std::vector<double> heights(
-    row.Height.begin() + std::ptrdiff_t(first), row.Height.begin() + std::ptrdiff_t(last) + 1);
+  const std::vector<double> heights(row.Height + first, row.Height + last + 1);
   const SpacePoints points(columns, heights, 1);
   const ColumnIndex index(columns);
   const std::vector<unsigned char> visits(columns.size(), 2); // of points that stay

@@ -27,12 +27,12 @@ PartAssembly::PartAssembly(const PointRows& rows, const SurfaceOptions& options,
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void PartAssembly::AddHeights(const PointWindow& window)
+void PartAssembly::AddHeights(const PointWindow& window, PointId first, PointId end)
 {
   const auto begin = this->LoopPoints.begin();
-  const auto first = std::lower_bound(begin, this->LoopPoints.end(), window.First);
-  const auto last = std::lower_bound(first, this->LoopPoints.end(), window.First + PointId(window.Columns.size()));
-  std::transform(first, last, this->LoopHeights.begin() + (first - begin),
+  const auto firstLoop = std::lower_bound(begin, this->LoopPoints.end(), first);
+  const auto lastLoop = std::lower_bound(firstLoop, this->LoopPoints.end(), end);
+  std::transform(firstLoop, lastLoop, this->LoopHeights.begin() + (firstLoop - begin),
     [&window](PointId point) { return window.Height[std::size_t(point - window.First)]; });
 }
 
@@ -199,7 +199,7 @@ HeightRaster RasterOfWindow(const PointWindow& window, const std::vector<PointId
   std::for_each(leftOut.begin(), leftOut.end(), [&](PointId point) { isLeftOut[std::size_t(point)] = 1; });
   const auto pointAt = [&](std::int64_t n)
   { return isLeftOut[std::size_t(n)] == 0 && window.HasPatch(std::size_t(n)) ? PointId(n) : NoPoint; };
-  return HeightRaster(std::int64_t(isLeftOut.size()), pointAt, window.Columns, window.Height.data(), cuts, dropped);
+  return HeightRaster(std::int64_t(isLeftOut.size()), pointAt, window.Columns, window.Height, cuts, dropped);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

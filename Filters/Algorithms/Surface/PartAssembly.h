@@ -37,8 +37,8 @@ public:
   /// `surface` has the boundary, whose points are numbered as the rows. All must outlive this.
   PartAssembly(const PointRows& rows, const SurfaceOptions& options, Surface& surface);
 
-  /// Takes the heights of points of the boundary. All must be in one window.
-  void AddHeights(const PointWindow& window);
+  /// Takes the heights of points of the boundary from `first` to before `end`. Threads may add others at once.
+  void AddHeights(const PointWindow& window, PointId first, PointId end);
   /// Parts must be added from the lowest rows on.
   void Add(const SurfacePart& mesh);
 

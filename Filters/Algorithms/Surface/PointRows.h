@@ -12,19 +12,43 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
-/// Points of successive rows.
-struct PointWindow
+/// Points of successive rows, which the window may own.
+class PointWindow
 {
-  PointId First = 0;
-  std::vector<PlanePoint> Columns;
-  std::vector<double> Height; // lattice units
-  std::vector<unsigned char> IsLeftOut; // 1 for points without a patch; empty if all have one
+public:
+  PointWindow() = default;
+  PointWindow(PointId first, PlanePoints columns, const double* height)
+    : First(first)
+    , Columns(columns)
+    , Height(height)
+  {
+  }
+  PointWindow(PointId first, std::vector<PlanePoint> columns, std::vector<double> height)
+    : First(first)
+    , OwnColumns(std::move(columns))
+    , OwnHeight(std::move(height))
+  {
+    this->Columns = this->OwnColumns;
+    this->Height = this->OwnHeight.data();
+  }
+  PointWindow(PointWindow&&) = default; // Vectors that are moved keep their places.
+  PointWindow& operator=(PointWindow&&) = default;
 
   bool HasPatch(std::size_t n) const { return this->IsLeftOut.empty() || this->IsLeftOut[n] == 0; }
+
+  PointId First = 0;
+  PlanePoints Columns;
+  const double* Height = nullptr; // lattice units
+  std::vector<unsigned char> IsLeftOut; // 1 for points without a patch; empty if all have one
+
+private:
+  std::vector<PlanePoint> OwnColumns;
+  std::vector<double> OwnHeight;
 };
 
 /// Points are numbered row by row.
@@ -38,6 +62,8 @@ public:
   virtual PointId FirstOf(std::int32_t row) const = 0;
   /// Rows may lie beyond the box.
   virtual PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const = 0;
+  /// How many bands may be meshed at once, whose threads read them.
+  virtual std::size_t MostAtOnce() const = 0;
 };
 
 class RowsInMemory : public PointRows
@@ -63,13 +89,13 @@ public:
 
   PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const override
   {
-    PointWindow window;
-    window.First = this->FirstOf(firstRow);
-    const PointId end = this->FirstOf(lastRow + 1);
-    window.Columns.assign(this->Columns.begin() + window.First, this->Columns.begin() + end);
-    window.Height.assign(this->Height.begin() + window.First, this->Height.begin() + end);
-    return window;
+    const PointId first = this->FirstOf(firstRow);
+    const auto size = std::size_t(this->FirstOf(lastRow + 1) - first);
+    return { first, PlanePoints(this->Columns.begin() + first, size), this->Height.data() + first };
   }
+
+  /// Bands take about .5 GB each while they are meshed.
+  std::size_t MostAtOnce() const override { return 8; }
 
 private:
   const PlanePoints Columns;

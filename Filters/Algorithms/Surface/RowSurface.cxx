@@ -44,7 +44,7 @@ public:
     , Patches(patches)
     , AreAllKept(areAllKept)
     , Area(rows.Box())
-    , MostRows(2 * std::int64_t(rowsOfPart))
+    , MostRows(7 * std::int64_t(rowsOfPart) / 2)
   {
   }
 
@@ -62,17 +62,26 @@ public:
   {
     const std::int32_t first = std::max(firstRow, this->Area.Least.Y);
     const std::int32_t last = std::min(lastRow, this->Area.Greatest.Y);
-    PointWindow window;
-    window.First = this->FirstOf(first);
     if (first > last)
     {
-      return window;
+      return {};
     }
-    this->Keep(first, last);
-    const std::ptrdiff_t begin = window.First - this->Kept.First;
-    const std::ptrdiff_t end = this->FirstOf(last + 1) - this->Kept.First;
-    window.Columns.assign(this->Kept.Columns.begin() + begin, this->Kept.Columns.begin() + end);
-    window.Height.assign(this->Kept.Height.begin() + begin, this->Kept.Height.begin() + end);
+    std::vector<PlanePoint> columns;
+    std::vector<double> height;
+    const PointId firstPoint = this->FirstOf(first);
+    if (first == last) // of a cut
+    {
+      this->Rows.Read(first, last, columns, height);
+    }
+    else
+    {
+      this->Keep(first, last);
+      const std::ptrdiff_t begin = firstPoint - this->FirstPoint;
+      const std::ptrdiff_t end = this->FirstOf(last + 1) - this->FirstPoint;
+      columns.assign(this->Columns.begin() + begin, this->Columns.begin() + end);
+      height.assign(this->Height.begin() + begin, this->Height.begin() + end);
+    }
+    PointWindow window(firstPoint, std::move(columns), std::move(height));
     if (!this->AreAllKept)
     {
       window.IsLeftOut.assign(window.Columns.size(), 0);
@@ -86,8 +95,10 @@ public:
     return window;
   }
 
+  std::size_t MostAtOnce() const override { return 1; }
+
 private:
-  /// Keeps rows of about two bands, as those around a cut are read several times.
+  /// Keeps rows of three bands, as those around cuts are read several times.
   void Keep(std::int32_t first, std::int32_t last) const
   {
     if (first >= this->FirstKept && last <= this->LastKept)
@@ -98,27 +109,28 @@ private:
     const bool continues = !isEmpty && first >= this->FirstKept && first <= this->LastKept + 1;
     if (!continues)
     {
-      this->Kept = PointWindow();
-      this->Kept.First = this->FirstOf(first);
+      this->Columns.clear();
+      this->Height.clear();
+      this->FirstPoint = this->FirstOf(first);
       this->FirstKept = first;
       this->LastKept = first - 1;
     }
     const auto firstLeft = std::int32_t(std::min<std::int64_t>(first, std::int64_t(last) - this->MostRows));
     if (firstLeft > this->FirstKept)
     {
-      const std::ptrdiff_t gone = this->FirstOf(firstLeft) - this->Kept.First;
-      this->Kept.Columns.erase(this->Kept.Columns.begin(), this->Kept.Columns.begin() + gone);
-      this->Kept.Height.erase(this->Kept.Height.begin(), this->Kept.Height.begin() + gone);
-      this->Kept.First += PointId(gone);
+      const std::ptrdiff_t gone = this->FirstOf(firstLeft) - this->FirstPoint;
+      this->Columns.erase(this->Columns.begin(), this->Columns.begin() + gone);
+      this->Height.erase(this->Height.begin(), this->Height.begin() + gone);
+      this->FirstPoint += PointId(gone);
       this->FirstKept = firstLeft;
     }
-    this->Rows.Read(this->LastKept + 1, last, this->Kept.Columns, this->Kept.Height);
+    this->Rows.Read(this->LastKept + 1, last, this->Columns, this->Height);
     this->LastKept = last;
-    const PointId expected = this->FirstOf(last + 1) - this->Kept.First;
-    if (this->Kept.Columns.size() != std::size_t(expected))
+    const PointId expected = this->FirstOf(last + 1) - this->FirstPoint;
+    if (this->Columns.size() != std::size_t(expected))
     {
-      throw InputError(std::to_string(this->Kept.Columns.size()) + " points in rows " +
-        std::to_string(this->FirstKept) + " to " + std::to_string(last) + ", expected the " + std::to_string(expected) +
+      throw InputError(std::to_string(this->Columns.size()) + " points in rows " + std::to_string(this->FirstKept) +
+        " to " + std::to_string(last) + ", expected the " + std::to_string(expected) +
         " that were there before: the file has changed");
     }
   }
@@ -129,7 +141,10 @@ private:
   const bool AreAllKept;
   const PlaneBox Area;
   const std::int64_t MostRows;
-  mutable PointWindow Kept;
+  // rows that are kept
+  mutable PointId FirstPoint = 0;
+  mutable std::vector<PlanePoint> Columns;
+  mutable std::vector<double> Height;
   mutable std::int32_t FirstKept = 0;
   mutable std::int32_t LastKept = -1;
 };

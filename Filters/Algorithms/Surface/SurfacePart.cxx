@@ -4,6 +4,7 @@
 #include "SurfacePart.h"
 
 #include "BandCuts.h"
+#include "Common/Base/FixedChunks.h"
 #include "Common/Horizon/CoveredColumns.h"
 #include "Common/Horizon/EdgeLoops.h"
 #include "Common/Horizon/PlaneGeometry.h"
@@ -51,6 +52,27 @@ void SurfacePart::Add(const SurfacePart& other)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void SurfacePart::MoveTriangles(const std::function<bool(const PartCorners&)>& isChosen, SurfacePart& other)
+{
+  const auto first = std::stable_partition(
+    this->Triangles.begin(), this->Triangles.end(), [&](const PartCorners& corners) { return !isChosen(corners); });
+  const auto addHeights = [this](auto begin, auto end, std::unordered_map<PointId, double>& heights)
+  {
+    for (auto corners = begin; corners != end; ++corners)
+    {
+      std::for_each(
+        corners->begin(), corners->end(), [&](PointId corner) { heights.emplace(corner, this->Heights.at(corner)); });
+    }
+  };
+  std::unordered_map<PointId, double> rest;
+  addHeights(this->Triangles.begin(), first, rest);
+  addHeights(first, this->Triangles.end(), other.Heights);
+  other.Triangles.insert(other.Triangles.end(), first, this->Triangles.end());
+  this->Triangles.erase(first, this->Triangles.end());
+  this->Heights = std::move(rest);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PartMesher::PartMesher(const PointRows& rows, const SurfaceOptions& options, const SurfaceParameters& parameters,
   const std::unordered_set<PointId>& shared)
   : Rows(rows)
@@ -87,7 +109,8 @@ SurfacePart PartMesher::Mesh(PointWindow window, PartBoundary boundary, const Mo
         boundary.Fixed.insert(point);
       }
     });
-  PartPoints points = this->Select(std::move(window), loops, boundary.Dropped);
+  PartPoints points = this->Select(window, loops, boundary.Dropped);
+  window = PointWindow();
   KnownBoundary known;
   known.Boundary = loops.RenumberedBy([&points](PointId point) { return points.NumberOf(point); });
   known.Dropped = std::move(points.Beside);
@@ -104,26 +127,42 @@ SurfacePart PartMesher::Mesh(PointWindow window, PartBoundary boundary, const Mo
 
 //----------------------------------------------------------------------------------------------------------------------
 PartMesher::PartPoints PartMesher::Select(
-  PointWindow window, const Loops& loops, const std::set<PointId>& dropped) const
+  const PointWindow& window, const Loops& loops, const std::set<PointId>& dropped) const
 {
   const PointId first = window.First;
   const std::vector<State> states =
     this->FindStates(window, loops.RenumberedBy([first](PointId point) { return point - first; }), dropped);
   PartPoints points;
-  for (std::size_t n = 0; n < states.size(); ++n)
-  {
-    if (states[n] == State::Beside)
+  points.Own = CollectChunks<PointId>(std::int64_t(states.size()), ChunkSize, Monitor(),
+    [&](std::vector<PointId>& some, std::int64_t begin, std::int64_t end)
     {
-      points.Beside.push_back({ PointId(points.Own.size()), NoPoint });
-    }
-    if (states[n] != State::Away)
+      for (std::int64_t n = begin; n < end; ++n)
+      {
+        if (states[std::size_t(n)] != State::Away)
+        {
+          some.push_back(first + PointId(n));
+        }
+      }
+    });
+  const std::size_t size = points.Own.size();
+  points.IsInside.resize(size);
+  points.Columns.resize(size);
+  points.Height.resize(size);
+  points.Beside = CollectChunks<DroppedPoint>(std::int64_t(size), ChunkSize, Monitor(),
+    [&](DroppedPoints& beside, std::int64_t begin, std::int64_t end)
     {
-      points.Own.push_back(first + PointId(n));
-      points.IsInside.push_back(states[n] == State::Inside ? 1 : 0);
-      points.Columns.push_back(window.Columns[n]);
-      points.Height.push_back(window.Height[n]);
-    }
-  }
+      for (std::int64_t point = begin; point < end; ++point)
+      {
+        const auto n = std::size_t(points.Own[std::size_t(point)] - first);
+        points.IsInside[std::size_t(point)] = states[n] == State::Inside ? 1 : 0;
+        points.Columns[std::size_t(point)] = window.Columns[n];
+        points.Height[std::size_t(point)] = window.Height[n];
+        if (states[n] == State::Beside)
+        {
+          beside.push_back({ PointId(point), NoPoint });
+        }
+      }
+    });
   return points;
 }
 
@@ -170,10 +209,8 @@ std::vector<PartMesher::State> PartMesher::FindStates(
   std::vector<State> states(window.Columns.size(), State::Away);
   loops.ForEachEdge([&](PointId from, PointId to) { this->AddBeside(window, at(from), at(to), states); });
   const std::vector<unsigned char> isCovered = CoveredColumns(window.Columns, loops, 1).Mark(window.Columns);
-  for (std::size_t n = 0; n < states.size(); ++n)
-  {
-    states[n] = isCovered[n] != 0 ? State::Inside : states[n];
-  }
+  std::transform(isCovered.begin(), isCovered.end(), states.begin(), states.begin(),
+    [](unsigned char covered, State state) { return covered != 0 ? State::Inside : state; });
   for (const PointId point : dropped)
   {
     states[std::size_t(point - window.First)] = State::Beside;

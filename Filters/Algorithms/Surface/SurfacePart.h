@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -30,7 +31,7 @@ using PartCorners = std::array<PointId, 3>;
 struct SurfacePart
 {
   std::vector<PartCorners> Triangles;
-  std::unordered_map<PointId, double> Heights; // of vertices, also former ones
+  std::unordered_map<PointId, double> Heights; // of vertices
   std::unordered_map<std::uint64_t, std::vector<PointId>> Chains; // the boundary between the ends of edges of outlines
   std::unordered_set<PointId> Dropped; // from outlines
   std::unordered_set<PointId> Locked; // of edges of other parts
@@ -39,6 +40,8 @@ struct SurfacePart
   /// Forgets outlines with these keys, and points that were dropped there, except those that stay.
   void LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay);
   void Add(const SurfacePart& other);
+  /// Moves triangles to the end of another part.
+  void MoveTriangles(const std::function<bool(const PartCorners&)>& isChosen, SurfacePart& other);
 };
 
 struct PartBoundary
@@ -83,7 +86,7 @@ private:
     DroppedPoints Beside;
   };
 
-  PartPoints Select(PointWindow window, const Loops& loops, const std::set<PointId>& dropped) const;
+  PartPoints Select(const PointWindow& window, const Loops& loops, const std::set<PointId>& dropped) const;
   static SurfacePart ToPart(const PartPoints& points, const Loops& exact, const Surface& made);
   std::vector<State> FindStates(const PointWindow& window, const Loops& loops, const std::set<PointId>& dropped) const;
   void AddBeside(

@@ -5,6 +5,7 @@
 
 #include "BandCuts.h"
 #include "Common/Base/FreeMemory.h"
+#include "Common/Base/SideBySide.h"
 #include "Common/Horizon/Predicates.h"
 #include "Filters/Algorithms/Decimation/HeightRaster.h"
 #include "SurfacePart.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -37,12 +39,20 @@ constexpr std::int32_t MostAround = 32;
 constexpr std::int32_t MostAroundSlivers = 12;
 
 using EdgeKeys = std::vector<std::uint64_t>;
+using Places = std::vector<PlanePoint>;
+using Meshes = std::vector<SurfacePart*>;
 
 /// Around triangles that are made anew.
 struct StripSides
 {
   EdgeKeys Inner; // of other triangles
   EdgeKeys Outer; // of outlines
+};
+
+struct Strip
+{
+  bool IsOpen = true;
+  Places Left; // not good yet
 };
 
 std::unordered_set<PointId> FindShared(const ExteriorBoundary& boundary)
@@ -73,27 +83,32 @@ public:
     , Shared(FindShared(result.Boundary))
     , Mesher(rows, this->Options, result.Parameters, this->Shared)
     , Whole(rows, this->Options, result)
+    , Bands(this->Cuts.NumberOfBands())
+    , Strips(this->Cuts.NumberOfCuts())
   {
     this->Options.Radius = result.Parameters.Radius;
   }
 
+  /// Strips of even cuts are independent of each other, and so are those of odd cuts, which follow.
   void Run(const TakeTargets& take, const Monitor& monitor)
   {
-    SurfacePart below;
     const std::size_t bands = this->Cuts.NumberOfBands();
-    for (std::size_t band = 0; band < bands; ++band)
+    const std::size_t step = 2 * ((this->Rows.MostAtOnce() + 1) / 2);
+    std::size_t added = 0;
+    for (std::size_t first = 0; first < bands; first += step)
     {
-      const auto part = [&](double done) { return 0.9 * (double(band) + done) / double(bands); };
-      SurfacePart above = this->MeshBand(band, monitor.Step(part(0.0), part(0.8)));
-      if (band > 0)
+      const std::size_t end = std::min(first + step, bands);
+      const auto part = [&](double done) { return 0.9 * (double(first) + done * double(end - first)) / double(bands); };
+      this->MeshBands(first, end, monitor.Step(part(0.0), part(0.8)));
+      this->MeshStrips(first, end, monitor.Step(part(0.8), part(0.9)));
+      this->MeshStrips(first == 0 ? 1 : first - 1, end, monitor.Step(part(0.9), part(1.0)));
+      this->Improve(end, monitor);
+      for (; added < bands && (end == bands || added + 5 < end); ++added) // Others may still change.
       {
-        this->MeshStrip(band - 1, below, above, monitor.Step(part(0.8), part(1.0)));
-        this->Whole.Add(below);
+        this->Whole.Add(std::exchange(this->Bands[added], SurfacePart()));
       }
-      below = std::move(above);
       ReturnFreeMemory();
     }
-    this->Whole.Add(below);
     this->Whole.Finish(take, monitor.Step(0.9, 1.0));
   }
 
@@ -101,12 +116,21 @@ private:
   PlanePoint At(PointId point) const { return this->Rows.ColumnOf(point); }
 
   // ---- Bands -------------------------------------------------------------------------------------------------------
+  void MeshBands(std::size_t first, std::size_t end, const Monitor& monitor)
+  {
+    for (std::size_t cut = first; cut < std::min(end, this->Cuts.NumberOfCuts()); ++cut)
+    {
+      this->Cuts.Open(cut, this->Options.MaximumError);
+    }
+    this->ForEach(end - first, monitor,
+      [&](std::size_t n, const Monitor& own) { this->Bands[first + n] = this->MeshBand(first + n, own); });
+  }
+
   SurfacePart MeshBand(std::size_t band, const Monitor& monitor)
   {
     PartBoundary boundary;
     if (band < this->Cuts.NumberOfCuts())
     {
-      this->Cuts.Open(band, this->Options.MaximumError);
       LockCut(this->Cuts.Cut(band), boundary);
     }
     if (band > 0)
@@ -115,8 +139,11 @@ private:
     }
     boundary.Edges = this->Cuts.TakeEdges(band);
     boundary.LoopsOfOne = this->Cuts.LoopsOfOne(band);
-    PointWindow window = this->Mesher.Read(this->Cuts.FirstRow(band), this->Cuts.LastRow(band));
-    this->Whole.AddHeights(window);
+    const std::int32_t firstRow = this->Cuts.FirstRow(band);
+    const std::int32_t lastRow = this->Cuts.LastRow(band);
+    PointWindow window = this->Mesher.Read(firstRow, lastRow);
+    const bool isLast = band + 1 == this->Cuts.NumberOfBands();
+    this->Whole.AddHeights(window, this->Rows.FirstOf(firstRow), this->Rows.FirstOf(isLast ? lastRow + 1 : lastRow));
     return this->Mesher.Mesh(std::move(window), std::move(boundary), monitor);
   }
 
@@ -132,64 +159,143 @@ private:
     }
   }
 
-  // ---- Strips ------------------------------------------------------------------------------------------------------
-  /// Takes triangles from both bands, and adds the strip to the upper one.
-  void MeshStrip(std::size_t cut, SurfacePart& below, SurfacePart& above, const Monitor& monitor)
+  void ForEach(std::size_t size, const Monitor& monitor, const std::function<void(std::size_t, const Monitor&)>& work)
   {
-    const std::vector<SurfacePart*> meshes = { &below, &above };
-    SurfacePart made = this->Remesh(
-      meshes, &this->Cuts.Cut(cut), [&](const PartCorners& corners) { return this->IsBeside(cut, corners); },
-      monitor.Step(0.0, 0.8));
+    RunSideBySide(std::int64_t(size), std::int64_t(this->Rows.MostAtOnce()), monitor,
+      [&work](std::int64_t n, const Monitor& own) { work(std::size_t(n), own); });
+  }
+
+  // ---- Strips ------------------------------------------------------------------------------------------------------
+  /// Meshes strips of each second cut, between bands up to the end.
+  void MeshStrips(std::size_t first, std::size_t end, const Monitor& monitor)
+  {
+    const std::size_t size = first + 1 < end ? (end - first) / 2 : 0;
+    this->ForEach(size, monitor,
+      [&](std::size_t n, const Monitor& own)
+      {
+        const std::size_t cut = first + 2 * n;
+        const Meshes meshes = this->MeshesOf(cut, cut + 2);
+        SurfacePart made = this->Remesh(
+          meshes, &this->Cuts.Cut(cut), [&](const PartCorners& corners) { return this->IsBeside(cut, corners); },
+          own.Step(0.0, 0.8));
+        this->Strips[cut].Left = this->Improve(cut, meshes, std::move(made), {}, own.Step(0.8, 1.0));
+      });
+    for (std::size_t n = 0; n < size; ++n)
+    {
+      this->Strips[first + 2 * n].IsOpen = false;
+    }
+  }
+
+  /// Makes anew what is not good beside triangles of other strips. These are complete then, whatever bands are at hand.
+  void Improve(std::size_t end, const Monitor& monitor)
+  {
+    for (; this->Improved + 1 < end && (this->Improved + 5 <= end || end == this->Bands.size()); ++this->Improved)
+    {
+      const std::size_t cut = this->Improved;
+      const Meshes meshes = this->MeshesOf(cut == 0 ? 0 : cut - 1, cut + 3);
+      Places places = std::exchange(this->Strips[cut].Left, Places());
+      this->AddFar(this->FindNext(cut, meshes), meshes, places);
+      this->Improve(cut, meshes, SurfacePart(), std::move(places), monitor);
+    }
+  }
+
+  /// Finds triangles beside a cut, if other strips made some of them when links to its points did not count. Bands that
+  /// are higher than their triangles have none.
+  SurfacePart FindNext(std::size_t cut, const Meshes& meshes) const
+  {
+    SurfacePart next;
+    bool areOfOthers = false;
+    for (const SurfacePart* const mesh : meshes)
+    {
+      const bool isOwn = mesh == &this->Bands[cut] || mesh == &this->Bands[cut + 1];
+      for (const PartCorners& corners : mesh->Triangles)
+      {
+        if (this->IsNext(cut, corners))
+        {
+          areOfOthers = areOfOthers || !isOwn;
+          next.Triangles.push_back(corners);
+          std::for_each(corners.begin(), corners.end(),
+            [&](PointId corner) { next.Heights.emplace(corner, mesh->Heights.at(corner)); });
+        }
+      }
+    }
+    return areOfOthers ? next : SurfacePart();
+  }
+
+  Meshes MeshesOf(std::size_t first, std::size_t end)
+  {
+    Meshes meshes;
+    for (std::size_t band = first; band < std::min(end, this->Bands.size()); ++band)
+    {
+      meshes.push_back(&this->Bands[band]);
+    }
+    return meshes;
+  }
+
+  /// Adds triangles that were made anew to the band above the cut, and makes those around places anew. Returns what is
+  /// still not good.
+  Places Improve(std::size_t cut, const Meshes& meshes, SurfacePart made, Places places, const Monitor& monitor)
+  {
     for (std::int32_t around = LeastAround;; around += LeastAround)
     {
-      this->AddFar(made, meshes);
+      this->AddFar(made, meshes, places);
       if (around <= MostAroundSlivers)
       {
-        this->AddSlivers(made);
+        this->AddSlivers(made, places);
       }
-      std::sort(this->NotGood.begin(), this->NotGood.end(), PrecedesByRow);
-      above.Add(made);
-      if (this->NotGood.empty() || around > MostAround)
+      std::sort(places.begin(), places.end(), PrecedesByRow);
+      this->Bands[cut + 1].Add(made);
+      if (places.empty() || around > MostAround)
       {
-        return; // The next strip tries what is left.
+        return places;
       }
-      const std::vector<PlanePoint> places = std::exchange(this->NotGood, std::vector<PlanePoint>());
       made = this->Remesh(
         meshes, nullptr,
         [&](const PartCorners& corners) { return this->MayGo(cut, corners) && this->IsNear(places, corners, around); },
-        monitor.Step(0.8, 1.0));
+        monitor);
+      places.clear();
     }
   }
 
-  /// Bands drop points of cuts, and edges in the rows beside may be far from links to these.
   bool IsBeside(std::size_t cut, const PartCorners& corners) const
   {
     std::int64_t sum = 0;
-    bool isNext = false;
     for (const PointId corner : corners)
     {
-      const std::int64_t rows = std::int64_t(this->At(corner).Y) - this->Cuts.Cut(cut).Row();
-      sum += rows;
-      isNext = isNext || std::abs(rows) <= 1;
+      sum += std::int64_t(this->At(corner).Y) - this->Cuts.Cut(cut).Row();
     }
-    return this->MayGo(cut, corners) && (isNext || std::abs(sum) <= 3 * std::int64_t(this->RowsBeside));
+    const bool isNear = std::abs(sum) <= 3 * std::int64_t(this->RowsBeside);
+    return this->MayGo(cut, corners) && (isNear || this->IsNext(cut, corners));
   }
 
-  /// Triangles along the next cut wait for it.
+  /// Bands drop points of cuts, and edges in the rows beside may be far from links to these.
+  bool IsNext(std::size_t cut, const PartCorners& corners) const
+  {
+    const std::int64_t row = this->Cuts.Cut(cut).Row();
+    return std::any_of(
+      corners.begin(), corners.end(), [&](PointId corner) { return std::abs(this->At(corner).Y - row) <= 1; });
+  }
+
+  /// Triangles along cuts that are still open wait for these.
   bool MayGo(std::size_t cut, const PartCorners& corners) const
   {
-    if (cut + 1 == this->Cuts.NumberOfCuts())
-    {
-      return true;
-    }
-    const BandCut& next = this->Cuts.Cut(cut + 1);
     const std::array<PlanePoint, 3> places = { this->At(corners[0]), this->At(corners[1]), this->At(corners[2]) };
-    return !next.IsOpen(places[0], places[1]) && !next.IsOpen(places[1], places[2]) &&
-      !next.IsOpen(places[2], places[0]);
+    const auto isAlong = [&](std::size_t other)
+    {
+      const BandCut& open = this->Cuts.Cut(other);
+      return this->Strips[other].IsOpen &&
+        (open.IsOpen(places[0], places[1]) || open.IsOpen(places[1], places[2]) || open.IsOpen(places[2], places[0]));
+    };
+    bool may = cut == 0 || !isAlong(cut - 1);
+    for (std::size_t above = cut + 1; above < std::min(cut + 3, this->Cuts.NumberOfCuts()); ++above)
+    {
+      may = may && !isAlong(above);
+    }
+    return may;
   }
 
   /// Whether the box of a triangle is so near to one of the places, which ascend by rows.
-  bool IsNear(const std::vector<PlanePoint>& places, const PartCorners& corners, std::int32_t distance) const
+  bool IsNear(const Places& places, const PartCorners& corners, std::int32_t distance) const
   {
     PlaneBox box;
     std::for_each(corners.begin(), corners.end(), [&](PointId point) { box.Add(this->At(point)); });
@@ -204,7 +310,7 @@ private:
   }
 
   /// Finds edges inside a part that are too far from links.
-  void AddFar(const SurfacePart& made, const std::vector<SurfacePart*>& others)
+  void AddFar(const SurfacePart& made, const Meshes& others, Places& places) const
   {
     const double bound = MaximumCrossingError(this->Options.MaximumError, this->Options.Crossings);
     if (made.Triangles.empty() || bound == std::numeric_limits<double>::infinity())
@@ -230,15 +336,14 @@ private:
           const RaisedPoint end{ this->At(to), made.Heights.at(to) };
           if (raster.MeasureCrossings(start, end).Inside > bound + rounding)
           {
-            this->NotGood.push_back({ (start.Column.X + end.Column.X) / 2, (start.Column.Y + end.Column.Y) / 2 });
+            places.push_back({ (start.Column.X + end.Column.X) / 2, (start.Column.Y + end.Column.Y) / 2 });
           }
         }
       }
     }
   }
 
-  HeightRaster MakeRaster(
-    const PointWindow& window, const SurfacePart& made, const std::vector<SurfacePart*>& others) const
+  HeightRaster MakeRaster(const PointWindow& window, const SurfacePart& made, const Meshes& others) const
   {
     std::vector<PointId> dropped;
     const auto add = [&](const SurfacePart& part)
@@ -268,7 +373,7 @@ private:
   }
 
   /// Finds slivers beside edges that stay.
-  void AddSlivers(const SurfacePart& made)
+  void AddSlivers(const SurfacePart& made, Places& places) const
   {
     const double sine = SineOfDegrees(this->Options.SmallestAngle);
     for (const PartCorners& corners : made.Triangles)
@@ -278,26 +383,20 @@ private:
         std::any_of(corners.begin(), corners.end(), [&made](PointId corner) { return made.Locked.count(corner) > 0; });
       if (isBesideOther && SineOfSmallestAngle(place, this->At(corners[1]), this->At(corners[2])) < sine)
       {
-        this->NotGood.push_back(place);
+        places.push_back(place);
       }
     }
   }
 
   // ---- Triangles that are made anew --------------------------------------------------------------------------------
   /// Takes the triangles that are chosen, and meshes their area anew. Edges along an open cut go.
-  SurfacePart Remesh(const std::vector<SurfacePart*>& meshes, const BandCut* cut,
-    const std::function<bool(const PartCorners&)>& isChosen, const Monitor& monitor) const
+  SurfacePart Remesh(const Meshes& meshes, const BandCut* cut, const std::function<bool(const PartCorners&)>& isChosen,
+    const Monitor& monitor) const
   {
-    std::vector<PartCorners> taken;
-    for (SurfacePart* const mesh : meshes)
-    {
-      const auto first = std::stable_partition(
-        mesh->Triangles.begin(), mesh->Triangles.end(), [&](const PartCorners& corners) { return !isChosen(corners); });
-      taken.insert(taken.end(), first, mesh->Triangles.end());
-      mesh->Triangles.erase(first, mesh->Triangles.end());
-    }
-    const StripSides sides = this->FindSides(cut, taken, meshes);
-    PartBoundary boundary = this->BoundaryOf(sides, meshes);
+    SurfacePart taken;
+    std::for_each(meshes.begin(), meshes.end(), [&](SurfacePart* mesh) { mesh->MoveTriangles(isChosen, taken); });
+    const StripSides sides = this->FindSides(cut, taken.Triangles, meshes);
+    PartBoundary boundary = this->BoundaryOf(sides, taken, meshes);
     for (SurfacePart* const mesh : meshes)
     {
       mesh->LetGo(sides.Outer, boundary.Dropped);
@@ -307,7 +406,7 @@ private:
         chain = isGone ? mesh->Chains.erase(chain) : std::next(chain);
       }
     }
-    if (taken.empty())
+    if (taken.Triangles.empty())
     {
       return {};
     }
@@ -321,11 +420,21 @@ private:
       made.Chains.erase(key);
       made.Locked.insert({ FromOf(key), ToOf(key) });
     }
+    for (SurfacePart* const mesh : meshes)
+    {
+      for (const auto& [point, height] : made.Heights)
+      {
+        const auto known = mesh->Heights.find(point);
+        if (known != mesh->Heights.end())
+        {
+          known->second = height;
+        }
+      }
+    }
     return made;
   }
 
-  StripSides FindSides(
-    const BandCut* cut, const std::vector<PartCorners>& triangles, const std::vector<SurfacePart*>& meshes) const
+  StripSides FindSides(const BandCut* cut, const std::vector<PartCorners>& triangles, const Meshes& meshes) const
   {
     EdgeKeys edges;
     for (const PartCorners& corners : triangles)
@@ -351,7 +460,7 @@ private:
   }
 
   /// Outlines are simplified anew, unless the boundary there meets edges that stay.
-  PartBoundary BoundaryOf(const StripSides& sides, const std::vector<SurfacePart*>& meshes) const
+  PartBoundary BoundaryOf(const StripSides& sides, const SurfacePart& taken, const Meshes& meshes) const
   {
     PartBoundary boundary;
     std::map<std::int32_t, EdgeKeys> byRow;
@@ -359,10 +468,8 @@ private:
     {
       for (const PointId end : { FromOf(key), ToOf(key) })
       {
-        const auto mesh = std::find_if( // the last one knows what has changed
-          meshes.rbegin(), meshes.rend(), [end](const SurfacePart* one) { return one->Heights.count(end) > 0; });
         boundary.Fixed.insert(end);
-        boundary.Locked.emplace(end, (*mesh)->Heights.at(end));
+        boundary.Locked.emplace(end, taken.Heights.at(end));
       }
       boundary.Edges.push_back({ FromOf(key), ToOf(key) });
     };
@@ -441,7 +548,9 @@ private:
   const std::unordered_set<PointId> Shared;
   const PartMesher Mesher;
   PartAssembly Whole;
-  std::vector<PlanePoint> NotGood; // places in a strip, ascending by rows
+  std::vector<SurfacePart> Bands; // until they are in the whole
+  std::vector<Strip> Strips; // by cut
+  std::size_t Improved = 0; // strips
 };
 }
 

@@ -3,10 +3,13 @@
 
 #include "Common/Base/FixedChunks.h"
 #include "Common/Base/Parallel.h"
+#include "Common/Base/SideBySide.h"
 #include "Tools/Check.h"
 #include "Tools/MonitorChecker.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <string>
 #include <thread>
 #include <vector>
@@ -182,6 +185,69 @@ void TestLoopsInLoops()
     });
 }
 
+/// Work side by side takes every number once, at most so many at once, is stopped by the monitor, which is called where it
+/// was started, and throws the exception of the lowest number.
+void TestSideBySide()
+{
+  const auto caller = std::this_thread::get_id();
+  ForThreads(
+    [&](int threads)
+    {
+      for (const int most : { 1, 3 })
+      {
+        Tally tally(20);
+        std::atomic<int> running(0);
+        std::atomic<int> mostRunning(0);
+        const Monitor monitor(
+          [&](double part)
+          {
+            CHECK(std::this_thread::get_id() == caller && part >= 0.0 && part <= 1.0);
+            return true;
+          });
+        RunSideBySide(20, most, monitor,
+          [&](std::int64_t n, const Monitor& own)
+          {
+            const int now = ++running;
+            for (int known = mostRunning; now > known && !mostRunning.compare_exchange_weak(known, now);)
+            {
+            }
+            own.Progress(0.5);
+            ParallelFor(10, 1, [](std::int64_t, std::int64_t) {});
+            tally.Add(n, n + 1);
+            --running;
+          });
+        CHECK(tally.AllOnce());
+        CHECK(mostRunning <= std::min(most, threads));
+      }
+      const auto refuse = [](std::int64_t n, const Monitor&)
+      {
+        if (n % 3 == 2)
+        {
+          throw InputError(std::to_string(n));
+        }
+      };
+      CHECK_THROWS_WITH(RunSideBySide(9, 9, Monitor(), refuse), "2");
+      const auto wait = [](std::int64_t, const Monitor& own)
+      {
+        for (;;)
+        {
+          own.Progress(0.0);
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+      };
+      bool isStopped = false;
+      try
+      {
+        RunSideBySide(9, 9, Monitor([](double) { return false; }), wait);
+      }
+      catch (const Aborted&)
+      {
+        isStopped = true;
+      }
+      CHECK(isStopped);
+    });
+}
+
 #ifdef __unix__
 /// A forked process has none of the threads of its parent.
 void TestForkedProcess()
@@ -254,6 +320,7 @@ int TestParallel(int, char*[])
   TestMonitor();
   TestSteps();
   TestLoopsInLoops();
+  TestSideBySide();
 #ifdef __unix__
   TestForkedProcess();
 #endif
