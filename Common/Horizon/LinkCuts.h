@@ -53,6 +53,27 @@ public:
       (step.Y != 0 && (this->IsCutNorth(least) || this->IsCutNorth(across)));
   }
 
+  /// Calls visit(column, isEast) for each cut, in no particular order.
+  template <typename Visitor>
+  void ForEach(Visitor&& visit) const
+  {
+    for (std::size_t slot = 0; slot < this->Keys.size(); ++slot)
+    {
+      for (std::int32_t n = 0; this->Keys[slot] != NoKey && n < 64; ++n)
+      {
+        const auto first = [&](std::uint64_t part) { return std::int32_t(std::uint32_t(part) << 3); };
+        const PlanePoint column{ first(this->Keys[slot]) + n % 8, first(this->Keys[slot] >> 32) + n / 8 };
+        for (const bool isEast : { true, false })
+        {
+          if (((isEast ? this->Blocks[slot].East : this->Blocks[slot].North) & Bit(column)) != 0)
+          {
+            visit(column, isEast);
+          }
+        }
+      }
+    }
+  }
+
 private:
   struct Block
   {

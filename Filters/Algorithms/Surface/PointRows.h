@@ -17,6 +17,9 @@
 
 namespace SeismicHorizons
 {
+/// Bands that are meshed at once; each takes about .5 GB. An even number.
+constexpr std::size_t BandsAtOnce = 8;
+
 /// Points of successive rows, which the window may own.
 class PointWindow
 {
@@ -94,8 +97,7 @@ public:
     return { first, PlanePoints(this->Columns.begin() + first, size), this->Height.data() + first };
   }
 
-  /// Bands take about .5 GB each while they are meshed.
-  std::size_t MostAtOnce() const override { return 8; }
+  std::size_t MostAtOnce() const override { return BandsAtOnce; }
 
 private:
   const PlanePoints Columns;

@@ -33,6 +33,8 @@
 
 namespace SeismicHorizons
 {
+class PartRanks;
+
 /// Parameters without a value are chosen.
 struct SurfaceOptions : DecimationQuality
 {
@@ -51,6 +53,8 @@ struct SurfaceOptions : DecimationQuality
   const LinkCuts* Cuts = nullptr;
   /// Large horizons are meshed in parts (SurfaceParts.h) of so many rows; chosen if 0.
   std::int32_t RowsOfPart = 0;
+  /// Processes that mesh large horizons together, of which this is process 0 (RankedParts.h). Null means this one alone.
+  const PartRanks* Ranks = nullptr;
 };
 
 struct SurfaceParameters

@@ -73,6 +73,51 @@ void SurfacePart::MoveTriangles(const std::function<bool(const PartCorners&)>& i
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void SurfacePart::Write(ByteBuffer& bytes) const
+{
+  bytes.WriteAll(this->Triangles);
+  bytes.Write(this->Heights.size());
+  for (const auto& [point, height] : this->Heights)
+  {
+    bytes.Write(point);
+    bytes.Write(height);
+  }
+  bytes.Write(this->Chains.size());
+  for (const auto& [key, chain] : this->Chains)
+  {
+    bytes.Write(key);
+    bytes.WriteAll(chain);
+  }
+  bytes.WriteAll(this->Dropped);
+  bytes.WriteAll(this->Locked);
+  bytes.WriteAll(this->AddedToOutlines);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+SurfacePart SurfacePart::Read(ByteBuffer& bytes)
+{
+  SurfacePart part;
+  part.Triangles = bytes.ReadAll<PartCorners>();
+  for (auto left = bytes.Read<std::size_t>(); left > 0; --left)
+  {
+    const auto point = bytes.Read<PointId>();
+    part.Heights.emplace(point, bytes.Read<double>());
+  }
+  for (auto left = bytes.Read<std::size_t>(); left > 0; --left)
+  {
+    const auto key = bytes.Read<std::uint64_t>();
+    part.Chains.emplace(key, bytes.ReadAll<PointId>());
+  }
+  for (std::unordered_set<PointId>* const points : { &part.Dropped, &part.Locked })
+  {
+    const std::vector<PointId> all = bytes.ReadAll<PointId>();
+    points->insert(all.begin(), all.end());
+  }
+  part.AddedToOutlines = bytes.ReadAll<PointId>();
+  return part;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 PartMesher::PartMesher(const PointRows& rows, const SurfaceOptions& options, const SurfaceParameters& parameters,
   const std::unordered_set<PointId>& shared)
   : Rows(rows)

@@ -6,6 +6,7 @@
 #ifndef SeismicHorizonsSurfacePart_h
 #define SeismicHorizonsSurfacePart_h
 
+#include "Common/Base/ByteBuffer.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/DroppedPoints.h"
 #include "Common/Horizon/Types.h"
@@ -40,6 +41,8 @@ struct SurfacePart
   /// Forgets outlines with these keys, and points that were dropped there, except those that stay.
   void LetGo(const std::vector<std::uint64_t>& edges, const std::set<PointId>& stay);
   void Add(const SurfacePart& other);
+  void Write(ByteBuffer& bytes) const;
+  static SurfacePart Read(ByteBuffer& bytes);
   /// Moves triangles to the end of another part.
   void MoveTriangles(const std::function<bool(const PartCorners&)>& isChosen, SurfacePart& other);
 };
@@ -60,7 +63,9 @@ public:
   PartMesher(const PointRows& rows, const SurfaceOptions& options, const SurfaceParameters& parameters,
     const std::unordered_set<PointId>& shared);
 
-  /// The rows around the boundary that are needed.
+  /// Rows around those of the boundary that are needed.
+  std::int32_t RowsAround() const { return this->Reach; }
+  /// With the rows around.
   PointWindow Read(std::int32_t firstRow, std::int32_t lastRow) const;
   SurfacePart Mesh(PointWindow window, PartBoundary boundary, const Monitor& monitor) const;
 
