@@ -3,8 +3,8 @@
 
 #include "Arrangement.h"
 
-#include "TriangleGrid.h"
 #include "TriangleSplitter.h"
+#include "TriangleTree.h"
 
 #include <Eigen/Geometry>
 
@@ -60,10 +60,10 @@ public:
     this->CutsOf.resize(this->Triangles.size());
     for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
     {
-      this->Grids.emplace_back(size);
+      this->Trees.emplace_back(BoxAround(sheets[sheet].Vertices), size);
       for (SealId n = this->Begins[sheet]; n < this->Begins[sheet + 1]; ++n)
       {
-        this->Grids[sheet].Add(n, this->BoxOf(n));
+        this->Trees[sheet].Add(n, this->BoxOf(n));
       }
     }
     constexpr double rounding = 1e-14;
@@ -81,7 +81,7 @@ public:
     }
     for (SealId n = this->Begins[b]; n < this->Begins[b + 1]; ++n)
     {
-      this->Grids[a].Any(this->BoxOf(n),
+      this->Trees[a].Any(this->BoxOf(n),
         [&](SealId triangle)
         {
           this->Meet(triangle, n);
@@ -449,7 +449,7 @@ private:
   Arrangement Result;
   std::vector<ArrangedTriangle> Triangles;
   std::vector<SealId> Begins; // the first triangle of a sheet
-  std::vector<TriangleGrid> Grids; // by sheet
+  std::vector<TriangleTree> Trees; // by sheet
   std::vector<SheetCut> Cuts;
   std::vector<std::vector<SealId>> CutsOf; // by triangle
   std::unordered_map<std::pair<EdgeKey, SealId>, SealId, PairHash> Pierced;

@@ -3,7 +3,7 @@
 
 #include "SealedImprover.h"
 
-#include "TriangleGrid.h"
+#include "TriangleTree.h"
 
 #include <Eigen/Geometry>
 
@@ -103,7 +103,7 @@ public:
     , Options(options)
     , LargestCosine(std::cos(options.SmallestAngle / DegreesPerRadian))
     , Around(this->Complex.Vertices.size())
-    , Grid(options.Column)
+    , Tree(BoxAround(this->Complex.Vertices), options.Column)
   {
     for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
     {
@@ -452,7 +452,7 @@ private:
   void PutIn(SealId triangle)
   {
     const SheetCorners& corners = this->Triangle(triangle).Corners;
-    this->Grid.Add(triangle, this->BoxOf(corners));
+    this->Tree.Add(triangle, this->BoxOf(corners));
     for (const SealId corner : corners)
     {
       this->Around[std::size_t(corner)].push_back(triangle);
@@ -462,7 +462,7 @@ private:
   void TakeOut(SealId triangle)
   {
     const SheetCorners& corners = this->Triangle(triangle).Corners;
-    this->Grid.Remove(triangle, this->BoxOf(corners));
+    this->Tree.Remove(triangle, this->BoxOf(corners));
     for (const SealId corner : corners)
     {
       std::vector<SealId>& around = this->Around[std::size_t(corner)];
@@ -515,7 +515,7 @@ private:
         return !(isInside && this->Triangle(other).Sheet == this->Triangle(changed[n]).Sheet) && !isGone(other) &&
           this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners);
       };
-      if (this->Grid.Any(this->BoxOf(corners[n]), meets))
+      if (this->Tree.Any(this->BoxOf(corners[n]), meets))
       {
         return false;
       }
@@ -718,7 +718,7 @@ private:
   double Part = 1.0; // of errors
   bool IsClosing = false;
   std::vector<std::vector<SealId>> Around;
-  TriangleGrid Grid;
+  TriangleTree Tree;
   std::unordered_map<EdgeKey, GonePlaces> Gone; // by edge of a line, places it had
 };
 }

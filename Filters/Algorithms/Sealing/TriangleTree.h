@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Boxes of any sizes in a loose octree, so that they can be found, added and removed: each is in the cell of its centre
+// that is just as large, and reaches beyond it by up to half of the cell. Only cells that are there are searched, as
+// triangles are flat, and large ones have many cells of small ones around.
+
+#ifndef SeismicHorizonsTriangleTree_h
+#define SeismicHorizonsTriangleTree_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace SeismicHorizons
+{
+inline Eigen::AlignedBox3d BoxAround(const std::vector<Eigen::Vector3d>& places)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : places)
+  {
+    box.extend(place);
+  }
+  return box;
+}
+
+class TriangleTree
+{
+public:
+  /// `all` is around all boxes. Cells are not smaller than `smallest`.
+  TriangleTree(const Eigen::AlignedBox3d& all, double smallest)
+    : Root({ 0, all.center(), 0.5 * all.sizes().maxCoeff() })
+    , Smallest(smallest)
+  {
+  }
+
+  void Add(std::int32_t triangle, const Eigen::AlignedBox3d& box)
+  {
+    this->EntriesAt(box, 1).push_back({ triangle, box });
+  }
+
+  void Remove(std::int32_t triangle, const Eigen::AlignedBox3d& box)
+  {
+    std::vector<Entry>& entries = this->EntriesAt(box, -1);
+    *std::find_if(entries.begin(), entries.end(),
+      [triangle](const Entry& entry) { return entry.Triangle == triangle; }) = entries.back();
+    entries.pop_back();
+  }
+
+  /// Whether test(triangle) is true for one whose box meets the box.
+  template <typename Test>
+  bool Any(const Eigen::AlignedBox3d& box, Test&& test) const
+  {
+    return this->AnyIn(this->Root, box, test);
+  }
+
+private:
+  struct Entry
+  {
+    std::int32_t Triangle;
+    Eigen::AlignedBox3d Box;
+  };
+
+  struct Node
+  {
+    std::array<std::int32_t, 8> Children = {}; // 0 if not there
+    std::int32_t Count = 0; // of boxes, those of children included
+    std::vector<Entry> Entries;
+  };
+
+  struct Cell
+  {
+    std::int32_t Node;
+    Eigen::Vector3d Middle;
+    double Half; // of its size
+
+    /// `child` has a bit for each axis.
+    Cell Child(std::int32_t node, std::size_t child) const
+    {
+      const double half = 0.5 * this->Half;
+      const Eigen::Vector3d side(
+        (child & 1U) != 0 ? half : -half, (child & 2U) != 0 ? half : -half, (child & 4U) != 0 ? half : -half);
+      return { node, this->Middle + side, half };
+    }
+  };
+
+  /// Of the cell of a box, from or to which it will be moved.
+  std::vector<Entry>& EntriesAt(const Eigen::AlignedBox3d& box, std::int32_t added)
+  {
+    const double size = std::max(box.sizes().maxCoeff(), this->Smallest);
+    const Eigen::Vector3d centre = box.center();
+    Cell cell = this->Root;
+    while (cell.Half >= size)
+    {
+      this->Nodes[std::size_t(cell.Node)].Count += added;
+      const std::size_t child = (centre.x() > cell.Middle.x() ? 1U : 0U) | (centre.y() > cell.Middle.y() ? 2U : 0U) |
+        (centre.z() > cell.Middle.z() ? 4U : 0U);
+      std::int32_t& node = this->Nodes[std::size_t(cell.Node)].Children[child];
+      const bool isNew = node == 0;
+      node = isNew ? std::int32_t(this->Nodes.size()) : node;
+      cell = cell.Child(node, child);
+      this->Nodes.resize(this->Nodes.size() + (isNew ? 1 : 0));
+    }
+    this->Nodes[std::size_t(cell.Node)].Count += added;
+    return this->Nodes[std::size_t(cell.Node)].Entries;
+  }
+
+  template <typename Test>
+  bool AnyIn(const Cell& cell, const Eigen::AlignedBox3d& box, Test& test) const
+  {
+    constexpr double reach = 2.0 + 1e-9; // beyond rounding
+    const Node& node = this->Nodes[std::size_t(cell.Node)];
+    const Eigen::Array3d most = Eigen::Array3d::Constant(reach * cell.Half);
+    if (node.Count == 0 || (box.min().array() > cell.Middle.array() + most).any() ||
+      (box.max().array() < cell.Middle.array() - most).any())
+    {
+      return false;
+    }
+    for (const Entry& entry : node.Entries)
+    {
+      if (entry.Box.intersects(box) && test(entry.Triangle))
+      {
+        return true;
+      }
+    }
+    for (std::size_t child = 0; child < node.Children.size(); ++child)
+    {
+      if (node.Children[child] != 0 && this->AnyIn(cell.Child(node.Children[child], child), box, test))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Cell Root;
+  double Smallest;
+  std::vector<Node> Nodes = std::vector<Node>(1);
+};
+}
+
+#endif
