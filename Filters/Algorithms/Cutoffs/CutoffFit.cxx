@@ -34,8 +34,9 @@ using Terms = Eigen::Matrix<double, 6, 1>;
 using Normal = Eigen::Matrix<double, 6, 6>;
 
 /// Of two coordinates. A product of two terms is one of the powers up to the fourth degree, whose first six they are.
-Terms TermsOf(double a, double b)
+Terms TermsOf(const std::array<double, 2>& place)
 {
+  const auto [a, b] = place;
   return (Terms() << 1.0, a, b, a * a, a * b, b * b).finished();
 }
 
@@ -52,9 +53,9 @@ struct LocalFrame
   double Row;
   double Column;
 
-  Terms TermsAt(const FaultPlace& place) const
+  std::array<double, 2> At(const FaultPlace& place) const
   {
-    return TermsOf((place.S - this->Middle.S) / this->Row, (place.N - this->Middle.N) / this->Column);
+    return { (place.S - this->Middle.S) / this->Row, (place.N - this->Middle.N) / this->Column };
   }
 };
 
@@ -70,8 +71,9 @@ struct PickTable : LocalFrame
     for (std::ptrdiff_t n = 0; n < this->Products.rows(); ++n)
     {
       const FaultPlace& place = picks[std::size_t(n)]->Pick->Place;
-      const Terms terms = this->TermsAt(place);
-      const double a = terms(1), b = terms(2), aa = terms(3), ab = terms(4), bb = terms(5);
+      const auto [a, b] = this->At(place);
+      const double aa = a * a, ab = a * b, bb = b * b;
+      const Terms terms = TermsOf({ a, b });
       this->Products.row(n) << terms.transpose(), a * aa, a * ab, a * bb, b * bb, aa * aa, aa * ab, ab * ab, ab * bb,
         bb * bb, (place.Z - middle.Z) * terms.transpose();
     }
@@ -87,7 +89,7 @@ public:
   /// `unit` is the size of the surface in columns.
   LocalSurface(const PickTable& picks, const Eigen::VectorXd& weights, double unit, bool isPlane = false)
     : LocalFrame(picks)
-    , Units(TermsOf(1.0 / unit, 1.0 / unit))
+    , Units(TermsOf({ 1.0 / unit, 1.0 / unit }))
   {
     constexpr std::ptrdiff_t fewestForCurves = 12;
     constexpr double held = 1e-13, stiff = 1e6;
@@ -102,7 +104,12 @@ public:
     this->Coefficients = this->Units.cwiseProduct(this->Factor.solve(this->Units.cwiseProduct(sums.tail<6>())));
   }
 
-  double At(const FaultPlace& place) const { return this->Middle.Z + this->Coefficients.dot(this->TermsAt(place)); }
+  double HeightAt(const FaultPlace& place) const
+  {
+    const Terms& c = this->Coefficients;
+    const auto [a, b] = this->At(place);
+    return this->Middle.Z + c(0) + a * (c(1) + a * c(3) + b * c(4)) + b * (c(2) + b * c(5));
+  }
 
   /// Distances of heights from it.
   Eigen::VectorXd Off(const PickTable& picks) const
@@ -113,9 +120,8 @@ public:
   /// The slope across, in heights by distance.
   double SlopeAt(const FaultPlace& place) const
   {
-    const Terms terms = this->TermsAt(place);
-    return (this->Coefficients(2) + terms(1) * this->Coefficients(4) + 2.0 * terms(2) * this->Coefficients(5)) /
-      this->Column;
+    const auto [a, b] = this->At(place);
+    return (this->Coefficients(2) + a * this->Coefficients(4) + 2.0 * b * this->Coefficients(5)) / this->Column;
   }
 
   /// Of the coefficients, for picks of variance 1.
@@ -157,7 +163,7 @@ std::optional<FaultPlace> Meet(const FaultPlate& fault, const LocalSurface& surf
   const double dz = 1e-3 * reach;
   for (int step = 0; step < mostSteps; ++step)
   {
-    const double z = surface.At({ s, n });
+    const double z = surface.HeightAt({ s, n });
     const double off = n - fault.Offset(s, z);
     const double lean = (fault.Offset(s, z + dz) - fault.Offset(s, z - dz)) / (2.0 * dz);
     const double turn = 1.0 - lean * surface.SlopeAt({ s, n });
@@ -168,7 +174,7 @@ std::optional<FaultPlace> Meet(const FaultPlate& fault, const LocalSurface& surf
     n -= off / turn;
     if (std::abs(off) <= close * (std::abs(n) + std::abs(lean) * reach))
     {
-      const double height = surface.At({ s, n });
+      const double height = surface.HeightAt({ s, n });
       return FaultPlace{ s, fault.Offset(s, height), height };
     }
   }
@@ -206,7 +212,7 @@ std::optional<WidthFit> FitWidth(
   {
     return std::nullopt;
   }
-  const Terms terms = picks.TermsAt(*met);
+  const Terms terms = TermsOf(picks.At(*met));
   return WidthFit{ *met, noise * std::sqrt(terms.dot(surface.Covariance(picks, weights) * terms)) };
 }
 
@@ -219,7 +225,7 @@ struct OuterSurface
   /// Of its height, for picks of variance 1.
   double VarianceAt(const FaultPlace& place) const
   {
-    const Terms terms = this->Surface.TermsAt(place);
+    const Terms terms = TermsOf(this->Surface.At(place));
     return terms.dot(this->Covariance * terms);
   }
 };
@@ -411,10 +417,22 @@ void NearPicks::KeepAgreeing(double shift)
       rings[away < this->Ring ? std::min(std::size_t(away), outermost - 1) : outermost].push_back(&near);
     }
   }
+  std::vector<double> values, distances(rings.size(), 0.0); // the middle ones by ring
+  const auto middleOf = [&values](const std::vector<NearPick*>& ring, auto&& valueOf)
+  {
+    values.resize(ring.size());
+    std::transform(ring.begin(), ring.end(), values.begin(), valueOf);
+    return UpperMedian(values);
+  };
+  for (std::size_t ring = 0; ring < rings.size(); ++ring)
+  {
+    const auto backwards = [column](const NearPick* near) { return -near->Pick->Distance / column; };
+    distances[ring] = rings[ring].empty() ? 0.0 : -middleOf(rings[ring], backwards);
+  }
   for (const OuterSurface& outer : this->Outer)
   {
     const auto offOf = [&outer](const NearPick* near)
-    { return near->Pick->Place.Z - outer.Surface.At(near->Pick->Place); };
+    { return near->Pick->Place.Z - outer.Surface.HeightAt(near->Pick->Place); };
     // How far the horizon is from the surface, ring by ring: it may bend slowly, but what climbs does so at once.
     std::vector<double> bend(rings.size(), 0.0);
     bool isBend = true;
@@ -427,22 +445,15 @@ void NearPicks::KeepAgreeing(double shift)
       {
         continue;
       }
-      std::vector<double> off, nearness;
-      for (const NearPick* const near : rings[ring])
-      {
-        off.push_back(offOf(near));
-        nearness.push_back(-near->Pick->Distance / column);
-      }
-      bend[ring] = UpperMedian(off);
-      const double distance = -UpperMedian(nearness);
+      bend[ring] = middleOf(rings[ring], offOf);
       const double step = std::abs(bend[ring] - before);
-      const double slow = Harmless * shift * std::max(1.0, last - distance);
+      const double slow = Harmless * shift * std::max(1.0, last - distances[ring]);
       // What begins in the last column is no bend yet.
       const double sudden = std::max(2.0 * lastStep, 0.3 * slow);
       const bool isSlow = step <= std::max(ring > 0 ? slow : std::min(slow, sudden), outer.Scatter);
       isBend = isBend && (ring == outermost || isSlow);
       lastStep = ring == outermost ? 0.0 : step;
-      last = distance;
+      last = distances[ring];
     }
     for (std::size_t ring = 0; ring < outermost; ++ring)
     {

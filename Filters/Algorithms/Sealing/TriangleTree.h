@@ -113,13 +113,13 @@ private:
   bool AnyIn(const Cell& cell, const Eigen::AlignedBox3d& box, Test& test) const
   {
     constexpr double reach = 2.0 + 1e-9; // beyond rounding
-    const Node& node = this->Nodes[std::size_t(cell.Node)];
     const Eigen::Array3d most = Eigen::Array3d::Constant(reach * cell.Half);
-    if (node.Count == 0 || (box.min().array() > cell.Middle.array() + most).any() ||
+    if ((box.min().array() > cell.Middle.array() + most).any() ||
       (box.max().array() < cell.Middle.array() - most).any())
     {
       return false;
     }
+    const Node& node = this->Nodes[std::size_t(cell.Node)];
     for (const Entry& entry : node.Entries)
     {
       if (entry.Box.intersects(box) && test(entry.Triangle))
@@ -127,7 +127,7 @@ private:
         return true;
       }
     }
-    for (std::size_t child = 0; child < node.Children.size(); ++child)
+    for (std::size_t child = 0; child < node.Children.size() && node.Count > 0; ++child)
     {
       if (node.Children[child] != 0 && this->AnyIn(cell.Child(node.Children[child], child), box, test))
       {
