@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -32,7 +33,7 @@ constexpr double BeyondSteps = 5.3; // columns that it goes on; no whole number,
 constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
 constexpr double LeastNew = 0.01; // of the nodes of a continuation, for another one
 constexpr int Rim = 6; // columns of picks that the continuation follows
-constexpr std::int32_t FirstWidening = 16; // columns that a window grows by; four times as many each time
+constexpr std::int32_t FirstWidening = 64; // columns that a window grows by; four times as many each time
 
 double MeanOf(const std::vector<double>& known)
 {
@@ -183,14 +184,17 @@ public:
       }
       this->Widen(block, around);
     }
-    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
+    for (const unsigned char node : block.Nodes)
     {
-      const bool isThere = this->IsInBox(block, node);
-      block.IsInBox = block.IsInBox || isThere;
-      account.Columns += isThere ? 1 : 0;
-      account.Continued += isThere && (block.Nodes[node] & HasPick) == 0 ? 1 : 0;
+      account.Columns += (node & IsThere) != 0 ? 1 : 0;
+      account.Continued += (node & (IsThere | HasPick)) == IsThere ? 1 : 0;
+      block.IsInBox = block.IsInBox || (node & IsThere) != 0;
     }
-    this->Crop(block);
+    if (const BlockWindow meshed = WindowOfMeshed(block);
+        !meshed.IsEmpty()) // Otherwise the horizon is above or below all of its block, which far heights tell.
+    {
+      Move(block, meshed);
+    }
   }
 
 private:
@@ -237,19 +241,19 @@ private:
     return { this->Input.Step.x() * column.X, this->Input.Step.y() * column.Y, height };
   }
 
-  bool IsInside(const BlockHeights& block, std::size_t node, double height, double margin) const
+  /// How far a place of a block is from the nearest of its faults, in columns; negative beyond one, where any may be told.
+  double InsideOf(const BlockHeights& block, const PlanePoint& column, double height) const
   {
-    const Eigen::Vector3d place = this->PlaceOf(block.Window.ColumnOf(node), height);
-    for (std::size_t fault = block.Sides.size(); fault-- > 0;) // The last ones bound the block.
+    const Eigen::Vector3d place = this->PlaceOf(column, height);
+    double inside = std::numeric_limits<double>::infinity();
+    for (std::size_t fault = block.Sides.size();
+         fault-- > 0 && inside >= -Beyond * this->Column;) // The last ones bound it.
     {
       const FaultPlate& plate = this->Input.Faults[fault].Plate;
       const int side = block.Sides[fault];
-      if (side != 0 && side * plate.Distance(plate.ToPlace(place)) < -margin * this->Column)
-      {
-        return false;
-      }
+      inside = side != 0 ? std::min(inside, side * plate.Distance(plate.ToPlace(place))) : inside;
     }
-    return true;
+    return inside / this->Column;
   }
 
   /// Where a place is on the fault between two blocks, if it is up to `most` behind it for the first one, beyond its tips, and
@@ -343,16 +347,9 @@ private:
     }
   }
 
-  bool IsInBox(const BlockHeights& block, std::size_t node) const
-  {
-    return (block.Nodes[node] & IsMeshed) != 0 && this->IsInWalls(block.Window.ColumnOf(node)) &&
-      this->IsInside(block, node, block.Heights[node], 0.0);
-  }
-
   /// Whether the window ends there, but not the lattice.
-  bool IsEdge(const BlockWindow& window, std::size_t node) const
+  bool IsEdge(const BlockWindow& window, const PlanePoint& column) const
   {
-    const PlanePoint column = window.ColumnOf(node);
     const BlockWindow around = window.Grown(1, this->All);
     return (column.X == window.Least.X && around.Least.X < column.X) ||
       (column.Y == window.Least.Y && around.Least.Y < column.Y) ||
@@ -365,12 +362,12 @@ private:
   {
     std::vector<double> heights(window.Size());
     std::vector<unsigned char> nodes(window.Size(), 0);
-    for (std::size_t node = 0; node < heights.size(); ++node)
-    {
-      const PlanePoint column = window.ColumnOf(node);
-      heights[node] = block.HeightNear(column);
-      nodes[node] = block.Window.Contains(column) ? block.Nodes[block.Window.NodeOf(column)] : 0;
-    }
+    window.ForEach(
+      [&](const PlanePoint& column, std::size_t node)
+      {
+        heights[node] = block.HeightNear(column);
+        nodes[node] = block.Window.Contains(column) ? block.Nodes[block.Window.NodeOf(column)] : 0;
+      });
     block.Heights = std::move(heights);
     block.Nodes = std::move(nodes);
     block.Window = window;
@@ -378,20 +375,18 @@ private:
 
   void Widen(BlockHeights& block, std::int32_t columns) const { Move(block, block.Window.Grown(columns, this->All)); }
 
-  static void Crop(BlockHeights& block)
+  static BlockWindow WindowOfMeshed(const BlockHeights& block)
   {
     BlockWindow meshed;
-    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
-    {
-      if ((block.Nodes[node] & IsMeshed) != 0)
+    block.Window.ForEach(
+      [&](const PlanePoint& column, std::size_t node)
       {
-        meshed.Add(block.Window.ColumnOf(node));
-      }
-    }
-    if (!meshed.IsEmpty()) // Otherwise the horizon is above or below all of its block, which far heights tell.
-    {
-      Move(block, meshed);
-    }
+        if ((block.Nodes[node] & IsMeshed) != 0)
+        {
+          meshed.Add(column);
+        }
+      });
+    return meshed;
   }
 
   /// Step by step from picks, since how far the block reaches depends on the heights. Columns around the box, which are cut
@@ -415,11 +410,12 @@ private:
       Spread(block.Window, heights,
         [&](std::size_t node, double height)
         {
-          const bool isInside =
-            box.Contains(block.Window.ColumnOf(node)) && this->IsInside(block, node, height, Beyond);
+          const PlanePoint column = block.Window.ColumnOf(node);
+          const double inside = box.Contains(column) ? this->InsideOf(block, column, height) : -2.0 * Beyond;
+          const bool isInside = inside >= -Beyond;
           sites.insert(sites.end(), isInside ? 1 : 0, node);
-          isCutOff = isCutOff || (isInside && this->IsEdge(block.Window, node));
-          near += isInside && this->IsInside(block, node, height, 0.5 * Beyond) ? 1 : 0;
+          isCutOff = isCutOff || (isInside && this->IsEdge(block.Window, column));
+          near += inside >= -0.5 * Beyond ? 1 : 0;
           return isInside;
         });
       if (isCutOff)
@@ -475,16 +471,14 @@ private:
     {
       BlockWindow own;
       own.Add(window.ColumnOf(site));
-      const BlockWindow rim = own.Grown(Rim, window);
       isSite[site] = 1;
-      for (PlanePoint column = rim.Least; column.Y <= rim.Greatest.Y; ++column.Y)
-      {
-        for (column.X = rim.Least.X; column.X <= rim.Greatest.X; ++column.X)
-        {
-          const std::size_t node = window.NodeOf(column);
-          isSite[node] = isSite[node] != 0 || std::isfinite(known[node]) ? 1 : 0;
-        }
-      }
+      own.Grown(Rim, window)
+        .ForEach(
+          [&](const PlanePoint& column, std::size_t)
+          {
+            const std::size_t node = window.NodeOf(column);
+            isSite[node] = isSite[node] != 0 || std::isfinite(known[node]) ? 1 : 0;
+          });
     }
     std::vector<BoxRun> runs;
     for (std::size_t node = 0; node < isSite.size(); ++node)
@@ -587,34 +581,34 @@ private:
       {
         for (auto node = std::size_t(first); node < std::size_t(last); ++node)
         {
-          const bool isMeshed = this->IsInside(block, node, block.Heights[node], 1.0);
-          block.Nodes[node] = (block.Nodes[node] & HasPick) | (isMeshed ? IsMeshed : 0);
+          const PlanePoint column = block.Window.ColumnOf(node);
+          const double inside = this->InsideOf(block, column, block.Heights[node]);
+          const bool isThere = inside >= 0.0 && this->IsInWalls(column);
+          block.Nodes[node] = (block.Nodes[node] & HasPick) | (inside >= -1.0 ? IsMeshed : 0) | (isThere ? IsThere : 0);
         }
       });
-    for (int step = 0; step < Around; ++step)
+    std::vector<std::size_t> front, next; // nodes beside those that are meshed
+    const auto addBeside = [&](std::size_t node)
     {
-      std::vector<std::size_t> beside;
-      for (std::size_t node = 0; node < block.Nodes.size(); ++node)
-      {
-        if ((block.Nodes[node] & IsMeshed) != 0)
-        {
-          ForEachBeside(block.Window, node,
-            [&](std::size_t other) { beside.insert(beside.end(), block.Nodes[other] & IsMeshed ? 0 : 1, other); });
-        }
-      }
-      for (const std::size_t node : beside)
-      {
-        block.Nodes[node] |= IsMeshed;
-      }
-    }
+      ForEachBeside(block.Window, node,
+        [&](std::size_t other) { next.insert(next.end(), (block.Nodes[other] & IsMeshed) != 0 ? 0 : 1, other); });
+    };
     for (std::size_t node = 0; node < block.Nodes.size(); ++node)
     {
-      if ((block.Nodes[node] & IsMeshed) != 0 && this->IsEdge(block.Window, node))
+      if ((block.Nodes[node] & IsMeshed) != 0)
       {
-        return false;
+        addBeside(node);
       }
     }
-    return true;
+    for (int step = 0; step < Around; ++step)
+    {
+      front = std::exchange(next, {});
+      std::for_each(front.begin(), front.end(), [&](std::size_t node) { block.Nodes[node] |= IsMeshed; });
+      std::for_each(front.begin(), front.end(), addBeside);
+    }
+    const BlockWindow meshed = WindowOfMeshed(block);
+    return meshed.IsEmpty() ||
+      !(this->IsEdge(block.Window, meshed.Least) || this->IsEdge(block.Window, meshed.Greatest));
   }
 
   const SealingInput& Input;
@@ -625,9 +619,9 @@ private:
 
 /// The block of a place farther than `margin` from its faults, or NoBlock. Beyond tips there is no fault.
 std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
-  const Eigen::Vector3d& place, double margin)
+  const Eigen::Vector3d& place, double margin, std::vector<double>& distances)
 {
-  std::vector<double> distances(faults.size(), NotKnown);
+  distances.assign(faults.size(), NotKnown);
   for (std::size_t n = 0; n < blocks.size(); ++n)
   {
     bool isIn = true;
@@ -660,13 +654,14 @@ std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, const Sea
   ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
+      std::vector<double> distances;
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
         const PlanePoint& column = horizon.Columns[pick];
         if (all.Contains(column) && isDropped[pick] == 0)
         {
           const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
-          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop);
+          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop, distances);
         }
       }
     });
@@ -768,10 +763,8 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
     return;
   }
   block.Heights.resize(block.Window.Size());
-  for (std::size_t node = 0; node < block.Heights.size(); ++node)
-  {
-    block.Heights[node] = sibling->HeightNear(block.Window.ColumnOf(node));
-  }
+  block.Window.ForEach(
+    [&](const PlanePoint& column, std::size_t node) { block.Heights[node] = sibling->HeightNear(column); });
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const BlockHeights& own : blocks)
   {
@@ -785,11 +778,8 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
       if (beside.Horizon == own.Horizon && !beside.IsGuessed && beside.Sides == sibling->Sides)
       {
         least = apart;
-        for (std::size_t node = 0; node < block.Heights.size(); ++node)
-        {
-          const PlanePoint column = block.Window.ColumnOf(node);
-          block.Heights[node] = own.HeightNear(column) + sibling->HeightNear(column) - beside.HeightNear(column);
-        }
+        block.Window.ForEach([&](const PlanePoint& column, std::size_t node)
+          { block.Heights[node] = own.HeightNear(column) + sibling->HeightNear(column) - beside.HeightNear(column); });
       }
     }
   }

@@ -31,6 +31,19 @@ struct BlockWindow : PlaneBox
   {
     return { this->Least.X + std::int32_t(node % this->Width()), this->Least.Y + std::int32_t(node / this->Width()) };
   }
+  /// Calls visit(column, node).
+  template <typename Visit>
+  void ForEach(Visit&& visit) const
+  {
+    std::size_t node = 0;
+    for (PlanePoint column = this->Least; column.Y <= this->Greatest.Y; ++column.Y)
+    {
+      for (column.X = this->Least.X; column.X <= this->Greatest.X; ++column.X)
+      {
+        visit(column, node++);
+      }
+    }
+  }
   /// The nearest column of the window.
   PlanePoint Clamp(const PlanePoint& column) const
   {
@@ -51,7 +64,8 @@ enum BlockNode : unsigned char // flags
 {
   HasPick = 1, // that is used
   IsMeshed = 2, // in the block, or a few columns around
-  IsShared = 4 // continued in another block, beyond the tips of a fault
+  IsShared = 4, // continued in another block, beyond the tips of a fault
+  IsThere = 8 // in the block and in the walls
 };
 
 struct BlockHeights
