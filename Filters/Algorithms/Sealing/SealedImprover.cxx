@@ -105,8 +105,16 @@ public:
     , Around(this->Complex.Vertices.size())
     , Changed(this->Complex.Vertices.size(), 0)
     , Attempts(this->Complex.Vertices.size())
-    , Tree(BoxAround(this->Complex.Vertices), options.Column)
   {
+    std::vector<Eigen::AlignedBox3d> boxes(shapes.size());
+    for (const LabelledTriangle& triangle : this->Complex.Triangles)
+    {
+      boxes[std::size_t(triangle.Sheet)].extend(this->BoxOf(triangle.Corners));
+    }
+    for (const Eigen::AlignedBox3d& box : boxes)
+    {
+      this->Trees.emplace_back(box, options.Column);
+    }
     for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
     {
       this->PutIn(SealId(n));
@@ -506,7 +514,7 @@ private:
   void PutIn(SealId triangle)
   {
     const SheetCorners& corners = this->Triangle(triangle).Corners;
-    this->Tree.Add(triangle, this->BoxOf(corners));
+    this->Trees[std::size_t(this->Triangle(triangle).Sheet)].Add(triangle, this->BoxOf(corners));
     for (const SealId corner : corners)
     {
       this->Changed[std::size_t(corner)] = this->Time;
@@ -517,7 +525,7 @@ private:
   void TakeOut(SealId triangle)
   {
     const SheetCorners& corners = this->Triangle(triangle).Corners;
-    this->Tree.Remove(triangle, this->BoxOf(corners));
+    this->Trees[std::size_t(this->Triangle(triangle).Sheet)].Remove(triangle, this->BoxOf(corners));
     for (const SealId corner : corners)
     {
       this->Changed[std::size_t(corner)] = this->Time;
@@ -581,15 +589,17 @@ private:
     }
     for (std::size_t n = 0; n < changed.size(); ++n)
     {
+      const auto own = std::size_t(this->Triangle(changed[n]).Sheet);
+      const Eigen::AlignedBox3d box = this->BoxOf(corners[n]);
       const auto isGone = [&](SealId triangle) { return std::find(gone.begin(), gone.end(), triangle) != gone.end(); };
       const auto meets = [&](SealId other)
+      { return !isGone(other) && this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners); };
+      for (std::size_t sheet = 0; sheet < this->Trees.size(); ++sheet)
       {
-        return !(isInside && this->Triangle(other).Sheet == this->Triangle(changed[n]).Sheet) && !isGone(other) &&
-          this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners);
-      };
-      if (this->Tree.Any(this->BoxOf(corners[n]), meets))
-      {
-        return true;
+        if (!(isInside && sheet == own) && this->Trees[sheet].Any(box, meets))
+        {
+          return true;
+        }
       }
       for (std::size_t other = 0; other < n && !isInside; ++other)
       {
@@ -782,7 +792,7 @@ private:
   std::size_t Time = 1; // counts attempts
   std::vector<std::size_t> Changed; // by vertex, when a triangle around it did
   std::vector<Attempt> Attempts; // by vertex, the last ones
-  TriangleTree Tree;
+  std::vector<TriangleTree> Trees; // by sheet
   std::unordered_map<EdgeKey, GonePlaces> Gone; // by edge of a line, places it had
 };
 }

@@ -18,20 +18,10 @@
 
 namespace SeismicHorizons
 {
-inline Eigen::AlignedBox3d BoxAround(const std::vector<Eigen::Vector3d>& places)
-{
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& place : places)
-  {
-    box.extend(place);
-  }
-  return box;
-}
-
 class TriangleTree
 {
 public:
-  /// `all` is around all boxes. Cells are not smaller than `smallest`.
+  /// `all` is around most boxes. Cells are not smaller than `smallest`.
   TriangleTree(const Eigen::AlignedBox3d& all, double smallest)
     : Root({ 0, all.center(), 0.5 * all.sizes().maxCoeff() })
     , Smallest(smallest)
@@ -40,6 +30,7 @@ public:
 
   void Add(std::int32_t triangle, const Eigen::AlignedBox3d& box)
   {
+    this->Around.extend(box);
     this->EntriesAt(box, 1).push_back({ triangle, box });
   }
 
@@ -55,7 +46,7 @@ public:
   template <typename Test>
   bool Any(const Eigen::AlignedBox3d& box, Test&& test) const
   {
-    return this->AnyIn(this->Root, box, test);
+    return this->Around.intersects(box) && this->AnyAt(this->Root, box, test);
   }
 
 private:
@@ -94,7 +85,8 @@ private:
     const double size = std::max(box.sizes().maxCoeff(), this->Smallest);
     const Eigen::Vector3d centre = box.center();
     Cell cell = this->Root;
-    while (cell.Half >= size)
+    const bool isIn = (centre - cell.Middle).cwiseAbs().maxCoeff() <= cell.Half;
+    while (isIn && cell.Half >= size)
     {
       this->Nodes[std::size_t(cell.Node)].Count += added;
       const std::size_t child = (centre.x() > cell.Middle.x() ? 1U : 0U) | (centre.y() > cell.Middle.y() ? 2U : 0U) |
@@ -110,15 +102,8 @@ private:
   }
 
   template <typename Test>
-  bool AnyIn(const Cell& cell, const Eigen::AlignedBox3d& box, Test& test) const
+  bool AnyAt(const Cell& cell, const Eigen::AlignedBox3d& box, Test& test) const
   {
-    constexpr double reach = 2.0 + 1e-9; // beyond rounding
-    const Eigen::Array3d most = Eigen::Array3d::Constant(reach * cell.Half);
-    if ((box.min().array() > cell.Middle.array() + most).any() ||
-      (box.max().array() < cell.Middle.array() - most).any())
-    {
-      return false;
-    }
     const Node& node = this->Nodes[std::size_t(cell.Node)];
     for (const Entry& entry : node.Entries)
     {
@@ -129,14 +114,22 @@ private:
     }
     for (std::size_t child = 0; child < node.Children.size() && node.Count > 0; ++child)
     {
-      if (node.Children[child] != 0 && this->AnyIn(cell.Child(node.Children[child], child), box, test))
+      if (node.Children[child] != 0)
       {
-        return true;
+        constexpr double reach = 2.0 + 1e-9; // beyond rounding
+        const Cell next = cell.Child(node.Children[child], child);
+        const Eigen::Array3d most = Eigen::Array3d::Constant(reach * next.Half);
+        if ((box.min().array() <= next.Middle.array() + most).all() &&
+          (box.max().array() >= next.Middle.array() - most).all() && this->AnyAt(next, box, test))
+        {
+          return true;
+        }
       }
     }
     return false;
   }
 
+  Eigen::AlignedBox3d Around; // all boxes that were there
   Cell Root;
   double Smallest;
   std::vector<Node> Nodes = std::vector<Node>(1);
