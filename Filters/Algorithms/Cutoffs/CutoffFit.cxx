@@ -243,20 +243,20 @@ public:
     for (const double along : { HalfWindow, 2.0 * HalfWindow, 4.0 * HalfWindow })
     {
       this->Gather(others, side, along);
-      if (this->HasOuter(-along, along) && this->HasOuter(-along, 0.5) && this->HasOuter(-0.5, along))
+      if (this->HasOuter(true))
       {
         this->KeepOuter();
         return;
       }
     }
-    if (this->HasOuter(-4.0 * HalfWindow, 4.0 * HalfWindow))
+    if (this->HasOuter(false))
     {
       this->Picks.clear(); // The horizon ends here: what is beside the fault cannot be compared.
       return;
     }
     // A narrow block has no picks farther away.
     this->Gather(others, side, HalfWindow);
-    while (this->Ring > options.DropDistance && !this->HasOuter(-HalfWindow, HalfWindow))
+    while (this->Ring > options.DropDistance && !this->HasOuter(false))
     {
       this->Ring -= 1.0;
     }
@@ -275,7 +275,7 @@ public:
 
 private:
   void Gather(const OtherFaults& others, const FaultSide& side, double along);
-  bool HasOuter(double from, double to) const;
+  bool HasOuter(bool isOnBothSides) const;
   void KeepOuter()
   {
     this->KeepOuter(Window, false);
@@ -326,26 +326,28 @@ void NearPicks::Gather(const OtherFaults& others, const FaultSide& side, double 
   this->Ring = std::max(this->Ring, std::floor(nearest->Distance / column));
 }
 
-/// Whether there are enough picks that are not doubtful, between two places along the fault in columns from the own one:
-/// over several columns, or on one side some.
-bool NearPicks::HasOuter(double from, double to) const
+/// Whether there are enough picks that are not doubtful: over several columns, and before and behind the place along the
+/// fault, if they have to be.
+bool NearPicks::HasOuter(bool isOnBothSides) const
 {
   constexpr double leastWidth = 3.0; // columns
   constexpr std::size_t fewestOnSide = 3;
-  const bool isWhole = from < -0.5 && to > 0.5;
   double largest = 0.0;
-  std::size_t count = 0;
+  std::size_t count = 0, before = 0, behind = 0;
   for (const NearPick& near : this->Picks)
   {
-    const double along = (near.Pick->Place.S - this->S) / this->Options.Row;
     const double away = near.Pick->Distance / this->Options.Column;
-    if (away >= this->Ring && along >= from && along <= to)
+    if (away >= this->Ring)
     {
+      const double along = (near.Pick->Place.S - this->S) / this->Options.Row;
       largest = std::max(largest, away);
       ++count;
+      before += along <= 0.5 ? 1 : 0;
+      behind += along >= -0.5 ? 1 : 0;
     }
   }
-  return isWhole ? count >= FewestPicks && largest >= this->Ring + leastWidth : count >= fewestOnSide;
+  return count >= FewestPicks && largest >= this->Ring + leastWidth &&
+    (!isOnBothSides || std::min(before, behind) >= fewestOnSide);
 }
 
 /// Finds a surface through most of the outer picks, by weights of the inverse distance, which strays do not move. Keeps

@@ -59,13 +59,12 @@ void ForEachHeight(const SheetHeights& heights, const std::array<Eigen::Vector3d
         to = std::max(to, x);
       }
     }
-    from = std::max(0.0, std::ceil(from));
-    to = std::min(double(heights.Width - 1), std::floor(to));
-    const std::size_t begin = std::size_t(row) * std::size_t(heights.Width);
-    for (double x = from; x <= to; ++x)
+    const int begin = int(std::clamp(std::ceil(from), 0.0, double(heights.Width)));
+    const int end = int(std::clamp(std::floor(to), -1.0, double(heights.Width - 1)));
+    const double* const along = &heights.Heights[std::size_t(row) * std::size_t(heights.Width)];
+    for (int x = begin; x <= end; ++x)
     {
-      const double height = heights.Heights[begin + std::size_t(x)];
-      if (!std::isnan(height) && !visit(height - p[0].z() - slopeX * (x - p[0].x()) - slopeY * (row - p[0].y())))
+      if (!std::isnan(along[x]) && !visit(along[x] - p[0].z() - slopeX * (x - p[0].x()) - slopeY * (row - p[0].y())))
       {
         return;
       }
