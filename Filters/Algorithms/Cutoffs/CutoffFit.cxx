@@ -124,12 +124,19 @@ public:
     return (this->Coefficients(2) + a * this->Coefficients(4) + 2.0 * b * this->Coefficients(5)) / this->Column;
   }
 
-  /// Of the coefficients, for picks of variance 1.
-  Normal Covariance(const PickTable& picks, const Eigen::VectorXd& weights) const
+  /// With the weights it has.
+  void MeasureSpread(const PickTable& picks, const Eigen::VectorXd& weights)
   {
     const Normal inverse = this->Factor.solve(Normal::Identity());
     const Normal squares = this->Expand(picks.Products.leftCols<PickTable::Powers>().transpose() * weights.cwiseAbs2());
-    return this->Units.asDiagonal() * (inverse * squares * inverse) * this->Units.asDiagonal();
+    this->Covariance = this->Units.asDiagonal() * (inverse * squares * inverse) * this->Units.asDiagonal();
+  }
+
+  /// The variance of a height, for picks of variance 1, once it is measured.
+  double VarianceAt(const FaultPlace& place) const
+  {
+    const Terms terms = TermsOf(this->At(place));
+    return terms.dot(this->Covariance * terms);
   }
 
 private:
@@ -152,6 +159,7 @@ private:
   Terms Units; // of the coefficients
   Eigen::LDLT<Normal> Factor;
   Terms Coefficients;
+  Normal Covariance; // of the coefficients
 };
 
 /// Where a surface, continued along its section across the fault, meets the fault; nothing if it does not.
@@ -188,46 +196,35 @@ double Bisquare(double value)
   return rest * rest;
 }
 
-/// One width of the last step.
-struct WidthFit
-{
-  FaultPlace Foot;
-  double Spread = 0.0;
-};
-
-/// `width` is in columns.
-std::optional<WidthFit> FitWidth(
+/// The height, offset and spread of one width, in columns.
+std::optional<CutoffPlace> FitWidth(
   const PickTable& picks, const Eigen::VectorXd& agreement, const FaultPlate& fault, double width, double noise)
 {
   constexpr std::ptrdiff_t fewest = 6;
-  const auto away = (picks.Products.col(3) + picks.Products.col(5)).array() / (width * width); // squared
+  const Eigen::ArrayXd away = (picks.Products.col(3) + picks.Products.col(5)) / (width * width); // squared
   const Eigen::VectorXd weights = agreement.array() * (1.0 - away).max(0.0).square();
   if ((weights.array() > 0.0).count() < fewest)
   {
     return std::nullopt;
   }
-  const LocalSurface surface(picks, weights, width);
+  LocalSurface surface(picks, weights, width);
   const std::optional<FaultPlace> met = Meet(fault, surface, picks.Middle.S, picks.Middle.N);
   if (!met)
   {
     return std::nullopt;
   }
-  const Terms terms = TermsOf(picks.At(*met));
-  return WidthFit{ *met, noise * std::sqrt(terms.dot(surface.Covariance(picks, weights) * terms)) };
+  surface.MeasureSpread(picks, weights);
+  CutoffPlace cutoff;
+  cutoff.Height = met->Z;
+  cutoff.Offset = met->N;
+  cutoff.Spread = noise * std::sqrt(surface.VarianceAt(*met));
+  return cutoff;
 }
 
 struct OuterSurface
 {
   LocalSurface Surface;
-  Normal Covariance; // of its coefficients
   double Scatter = 0.0; // of its picks, at least their noise
-
-  /// Of its height, for picks of variance 1.
-  double VarianceAt(const FaultPlace& place) const
-  {
-    const Terms terms = TermsOf(this->Surface.At(place));
-    return terms.dot(this->Covariance * terms);
-  }
 };
 
 /// The picks of a wall near a place along the fault.
@@ -380,7 +377,7 @@ void NearPicks::KeepOuter(double width, bool isPlane)
   double scatter = 0.0;
   for (int round = 1;; ++round)
   {
-    const LocalSurface surface(table, weights, HalfWindow, isPlane);
+    LocalSurface surface(table, weights, HalfWindow, isPlane);
     const Eigen::VectorXd off = surface.Off(table);
     std::vector<double> sorted(off.begin(), off.end());
     const double before = std::exchange(scatter, normal * UpperMedian(sorted));
@@ -400,7 +397,8 @@ void NearPicks::KeepOuter(double width, bool isPlane)
     {
       this->Heights.push_back(foot->Z);
     }
-    this->Outer.push_back({ surface, surface.Covariance(table, weights), deviation });
+    surface.MeasureSpread(table, weights);
+    this->Outer.push_back({ surface, deviation });
     return;
   }
 }
@@ -463,7 +461,7 @@ void NearPicks::KeepAgreeing(double shift)
       {
         const double most = std::max(0.5 * shift, this->Options.DropNoise * outer.Scatter);
         const double noise =
-          this->Options.DropNoise * outer.Scatter * std::sqrt(1.0 + outer.VarianceAt(near->Pick->Place));
+          this->Options.DropNoise * outer.Scatter * std::sqrt(1.0 + outer.Surface.VarianceAt(near->Pick->Place));
         const double limit = std::max(std::min(noise, most), isBend ? Harmless * shift : 0.0);
         this->Weigh(offOf(near) - (isBend ? bend[ring] : 0.0), limit, *near);
       }
@@ -517,24 +515,24 @@ CutoffPlace NearPicks::Fit()
     agreeing.begin(), agreeing.end(), agreement.begin(), [](const NearPick* near) { return near->Weight; });
   for (const double width : Widths)
   {
-    const std::optional<WidthFit> fit = FitWidth(table, agreement, this->Fault, gap + width, this->Options.Noise);
+    const std::optional<CutoffPlace> fit = FitWidth(table, agreement, this->Fault, gap + width, this->Options.Noise);
     // A width with too few picks to average noise gives way to the next.
     const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
     // What leaves the heights of all picks far behind is no continuation of them.
     const double reach = (2.0 + gap) * std::max(heights[1] - heights[0], this->Options.Noise);
-    const bool isFar = fit && (fit->Foot.Z < heights[0] - reach || fit->Foot.Z > heights[1] + reach);
+    const bool isFar = fit && (fit->Height < heights[0] - reach || fit->Height > heights[1] + reach);
     if (!fit || isFar || (fit->Spread > most * this->Options.Noise && !isLast))
     {
       continue;
     }
-    least = std::max(least, fit->Foot.Z - confidence * fit->Spread);
-    largest = std::min(largest, fit->Foot.Z + confidence * fit->Spread);
+    least = std::max(least, fit->Height - confidence * fit->Spread);
+    largest = std::min(largest, fit->Height + confidence * fit->Spread);
     if (least > largest)
     {
       break;
     }
-    cutoff.Height = fit->Foot.Z;
-    cutoff.Offset = fit->Foot.N;
+    cutoff.Height = fit->Height;
+    cutoff.Offset = fit->Offset;
     cutoff.Spread = std::max(fit->Spread, this->Options.LeastSpread);
     cutoff.Gap = gap;
   }

@@ -4,6 +4,7 @@
 #include "FaultPlate.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/ConvexHull.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 
 #include <Eigen/Eigenvalues>
@@ -27,33 +28,18 @@ constexpr std::size_t MostNodes = 9000; // less than what needs a multigrid
 /// The convex line around the ends of segments, seen across strike.
 std::vector<std::array<FaultPlace, 2>> HullOf(const std::vector<std::array<FaultPlace, 2>>& segments)
 {
-  std::vector<FaultPlace> places;
+  std::vector<Eigen::Vector2d> places;
   for (const auto& [from, to] : segments)
   {
-    places.push_back(from);
-    places.push_back(to);
+    places.emplace_back(from.S, from.Z);
+    places.emplace_back(to.S, to.Z);
   }
-  std::sort(places.begin(), places.end(),
-    [](const FaultPlace& a, const FaultPlace& b) { return a.S != b.S ? a.S < b.S : a.Z < b.Z; });
-  const auto isLeft = [](const FaultPlace& a, const FaultPlace& b, const FaultPlace& c)
-  { return (b.S - a.S) * (c.Z - a.Z) > (b.Z - a.Z) * (c.S - a.S); };
+  const std::vector<Eigen::Vector2d> corners = FindHull(std::move(places));
   std::vector<std::array<FaultPlace, 2>> hull;
-  for (int half = 0; half < 2; ++half)
+  for (std::size_t n = 0; n < corners.size(); ++n)
   {
-    std::vector<FaultPlace> chain;
-    for (const FaultPlace& place : places)
-    {
-      while (chain.size() > 1 && !isLeft(chain[chain.size() - 2], chain.back(), place))
-      {
-        chain.pop_back();
-      }
-      chain.push_back(place);
-    }
-    for (std::size_t n = 1; n < chain.size(); ++n)
-    {
-      hull.push_back({ chain[n - 1], chain[n] });
-    }
-    std::reverse(places.begin(), places.end());
+    const Eigen::Vector2d &from = corners[n], &to = corners[(n + 1) % corners.size()];
+    hull.push_back({ { { from.x(), 0.0, from.y() }, { to.x(), 0.0, to.y() } } });
   }
   return hull;
 }

@@ -21,6 +21,7 @@ namespace SeismicHorizons
 class TriangleTree
 {
 public:
+  TriangleTree() = default;
   /// `all` is around most boxes. Cells are not smaller than `smallest`.
   TriangleTree(const Eigen::AlignedBox3d& all, double smallest)
     : Root({ 0, all.center(), 0.5 * all.sizes().maxCoeff() })
@@ -130,8 +131,8 @@ private:
   }
 
   Eigen::AlignedBox3d Around; // all boxes that were there
-  Cell Root;
-  double Smallest;
+  Cell Root = { 0, Eigen::Vector3d::Zero(), 0.0 };
+  double Smallest = 0.0;
   std::vector<Node> Nodes = std::vector<Node>(1);
 };
 }
