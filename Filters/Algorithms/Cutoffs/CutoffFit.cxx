@@ -89,19 +89,18 @@ public:
   /// `unit` is the size of the surface in columns.
   LocalSurface(const PickTable& picks, const Eigen::VectorXd& weights, double unit, bool isPlane = false)
     : LocalFrame(picks)
-    , Units(TermsOf({ 1.0 / unit, 1.0 / unit }))
   {
     constexpr std::ptrdiff_t fewestForCurves = 12;
     constexpr double held = 1e-13, stiff = 1e6;
     const Eigen::Matrix<double, PickTable::Powers + 6, 1> sums = picks.Products.transpose() * weights;
-    Normal matrix = this->Expand(sums.head<PickTable::Powers>());
+    Normal matrix = Expand(sums.head<PickTable::Powers>());
     const bool isFlat = isPlane || (weights.array() > 0.0).count() < fewestForCurves;
     for (int term = 1; term < 6; ++term)
     {
-      matrix(term, term) += sums(0) * (term > 2 && isFlat ? stiff : held);
+      matrix(term, term) += sums(0) * (term > 2 && isFlat ? stiff : held) * std::pow(unit, term > 2 ? 4 : 2);
     }
     this->Factor.compute(matrix);
-    this->Coefficients = this->Units.cwiseProduct(this->Factor.solve(this->Units.cwiseProduct(sums.tail<6>())));
+    this->Coefficients = this->Factor.solve(sums.tail<6>());
   }
 
   double HeightAt(const FaultPlace& place) const
@@ -128,8 +127,8 @@ public:
   void MeasureSpread(const PickTable& picks, const Eigen::VectorXd& weights)
   {
     const Normal inverse = this->Factor.solve(Normal::Identity());
-    const Normal squares = this->Expand(picks.Products.leftCols<PickTable::Powers>().transpose() * weights.cwiseAbs2());
-    this->Covariance = this->Units.asDiagonal() * (inverse * squares * inverse) * this->Units.asDiagonal();
+    const Normal squares = Expand(picks.Products.leftCols<PickTable::Powers>().transpose() * weights.cwiseAbs2());
+    this->Covariance = inverse * squares * inverse;
   }
 
   /// The variance of a height, for picks of variance 1, once it is measured.
@@ -140,8 +139,8 @@ public:
   }
 
 private:
-  /// From sums of powers to those of products of terms, in its unit.
-  Normal Expand(const Eigen::Matrix<double, PickTable::Powers, 1>& sums) const
+  /// From sums of powers to those of products of terms.
+  static Normal Expand(const Eigen::Matrix<double, PickTable::Powers, 1>& sums)
   {
     constexpr std::array<int, 6> degree = { 0, 1, 1, 2, 2, 2 }, across = { 0, 0, 1, 0, 1, 2 };
     Normal matrix;
@@ -153,10 +152,9 @@ private:
         matrix(int(row), int(column)) = sums(both * (both + 1) / 2 + across[row] + across[column]);
       }
     }
-    return this->Units.asDiagonal() * matrix * this->Units.asDiagonal();
+    return matrix;
   }
 
-  Terms Units; // of the coefficients
   Eigen::LDLT<Normal> Factor;
   Terms Coefficients;
   Normal Covariance; // of the coefficients

@@ -44,7 +44,7 @@ struct TriangleView
 class Arranger
 {
 public:
-  Arranger(const std::vector<Sheet>& sheets, double size)
+  explicit Arranger(const std::vector<Sheet>& sheets)
     : Sheets(sheets)
   {
     for (std::size_t n = 0; n < sheets.size(); ++n)
@@ -61,16 +61,12 @@ public:
     this->CutsOf.resize(this->Triangles.size());
     for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
     {
-      Eigen::AlignedBox3d box;
-      for (const Eigen::Vector3d& vertex : sheets[sheet].Vertices)
-      {
-        box.extend(vertex);
-      }
-      this->Trees.emplace_back(box, size);
+      std::vector<TriangleTree::Entry> entries;
       for (SealId n = this->Begins[sheet]; n < this->Begins[sheet + 1]; ++n)
       {
-        this->Trees[sheet].Add(n, this->BoxOf(n));
+        entries.push_back({ n, this->BoxOf(n) });
       }
+      this->Trees.emplace_back(entries);
     }
     constexpr double rounding = 1e-14;
     for (const Eigen::Vector3d& vertex : this->Result.Vertices)
@@ -485,9 +481,9 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 Arrangement Arrange(
-  const std::vector<Sheet>& sheets, const std::vector<std::pair<int, int>>& pairs, double size, const Monitor& monitor)
+  const std::vector<Sheet>& sheets, const std::vector<std::pair<int, int>>& pairs, const Monitor& monitor)
 {
-  Arranger arranger(sheets, size);
+  Arranger arranger(sheets);
   for (std::size_t n = 0; n < pairs.size(); ++n)
   {
     monitor.Progress(double(n) / double(pairs.size()));

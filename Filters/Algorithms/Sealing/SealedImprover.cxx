@@ -105,19 +105,17 @@ public:
     , Changed(this->Complex.Vertices.size(), 0)
     , Attempts(this->Complex.Vertices.size())
   {
-    std::vector<Eigen::AlignedBox3d> boxes(shapes.size());
-    for (const LabelledTriangle& triangle : this->Complex.Triangles)
-    {
-      boxes[std::size_t(triangle.Sheet)].extend(this->BoxOf(triangle.Corners));
-    }
-    for (const Eigen::AlignedBox3d& box : boxes)
-    {
-      this->Trees.emplace_back(box, options.Column);
-    }
+    std::vector<std::vector<TriangleTree::Entry>> entries(shapes.size());
     for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
     {
-      this->PutIn(SealId(n));
+      const LabelledTriangle& triangle = this->Complex.Triangles[n];
+      entries[std::size_t(triangle.Sheet)].push_back({ SealId(n), this->BoxOf(triangle.Corners) });
+      for (const SealId corner : triangle.Corners)
+      {
+        this->Around[std::size_t(corner)].push_back(SealId(n));
+      }
     }
+    this->Trees = std::vector<TriangleTree>(entries.begin(), entries.end());
   }
 
   void Run(const Monitor& monitor)
@@ -145,13 +143,11 @@ public:
   }
 
 private:
-  /// To remove a vertex.
+  /// To remove a vertex that is on no line, whose error would count, too.
   struct Attempt
   {
     std::size_t Time = 0;
-    double Part = 0.0;
-    double PartOfHeights = 0.0;
-    bool IsOnLine = false; // whose error counts, too
+    double Part = 0.0; // of the error of heights
   };
 
   double PartOfHeights() const { return std::max(this->Part, 0.5); }
@@ -255,7 +251,7 @@ private:
   {
     const Attempt& last = this->Attempts[std::size_t(vertex)];
     const std::vector<SealId>& around = this->Around[std::size_t(vertex)];
-    return (this->Part == last.Part || (!last.IsOnLine && this->PartOfHeights() == last.PartOfHeights)) &&
+    return this->PartOfHeights() == last.Part &&
       std::all_of(around.begin(), around.end(),
         [&](SealId triangle)
         {
@@ -282,8 +278,8 @@ private:
       });
     bool isCorner = false;
     const std::vector<SealId> ends = this->LineThrough(vertex, removal.Neighbours, isCorner);
-    this->Attempts[std::size_t(vertex)] = { ++this->Time, this->Part, this->PartOfHeights(),
-      !ends.empty() && !isCorner };
+    ++this->Time;
+    this->Attempts[std::size_t(vertex)] = { isCorner || ends.empty() ? this->Time : 0, this->PartOfHeights() };
     if (isCorner)
     {
       const double shortest = std::pow(Short * this->Options.Column, 2);

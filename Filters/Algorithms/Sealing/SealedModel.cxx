@@ -452,7 +452,7 @@ private:
   std::map<BlockSides, std::int32_t> Numbers;
 };
 
-SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& monitor)
+SealedComplex CutAndLabel(ModelSheets& sheets, const Monitor& monitor)
 {
   constexpr unsigned mostRounds = 8;
   for (unsigned round = 0;; ++round)
@@ -461,7 +461,7 @@ SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& mon
     try
     {
       return KeepDifferent(
-        Arrange(sheets.Shaken, sheets.Pairs(), column, monitor.Step(0.0, 0.6)),
+        Arrange(sheets.Shaken, sheets.Pairs(), monitor.Step(0.0, 0.6)),
         [&](const Eigen::Vector3d& place, std::int32_t sheet, int side) { return sheets.LabelAt(place, sheet, side); },
         monitor.Step(0.6, 1.0));
     }
@@ -669,7 +669,7 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
   ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
   const double column = input.Step.maxCoeff();
   const ImproverOptions improver = { std::min(options.MaximumError, options.FaultError), SmallestSealedAngle, column };
-  SealedComplex cut = CutAndLabel(sheets, column, monitor.Step(0.4, 0.7));
+  SealedComplex cut = CutAndLabel(sheets, monitor.Step(0.4, 0.7));
   RequireOrder(cut, sheets, input);
   const SealedComplex complex =
     Improve(OpenBeyondTips(std::move(cut), sheets), sheets.Shapes, improver, monitor.Step(0.7, 1.0));

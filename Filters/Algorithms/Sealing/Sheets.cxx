@@ -110,22 +110,17 @@ void Shake(std::vector<Sheet>& sheets, double distance, unsigned round)
 SheetLocator::SheetLocator(const Sheet& sheet)
   : Given(sheet)
 {
-  const auto onPlane = [&sheet](std::int32_t vertex)
-  {
-    const Eigen::Vector2d place = (sheet.Axes * sheet.Vertices[std::size_t(vertex)]).head<2>();
-    return Eigen::Vector3d(place.x(), place.y(), 0.0);
-  };
-  Eigen::AlignedBox3d all;
-  for (std::size_t vertex = 0; vertex < sheet.Vertices.size(); ++vertex)
-  {
-    all.extend(onPlane(std::int32_t(vertex)));
-  }
-  this->Triangles = TriangleTree(all, std::sqrt(all.sizes().head<2>().prod() / double(sheet.Triangles.size() + 1)));
+  std::vector<TriangleTree::Entry> entries;
   for (std::size_t n = 0; n < sheet.Triangles.size(); ++n)
   {
-    const auto& [a, b, c] = sheet.Triangles[n];
-    this->Triangles.Add(std::int32_t(n), Eigen::AlignedBox3d(onPlane(a)).extend(onPlane(b)).extend(onPlane(c)));
+    TriangleTree::Entry& entry = entries.emplace_back(TriangleTree::Entry{ std::int32_t(n), {} });
+    for (const std::int32_t corner : sheet.Triangles[n])
+    {
+      const Eigen::Vector3d place = sheet.Axes * sheet.Vertices[std::size_t(corner)];
+      entry.Box.extend(Eigen::Vector3d(place.x(), place.y(), 0.0));
+    }
   }
+  this->Triangles = TriangleTree(entries);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

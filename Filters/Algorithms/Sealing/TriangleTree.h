@@ -21,12 +21,23 @@ namespace SeismicHorizons
 class TriangleTree
 {
 public:
-  TriangleTree() = default;
-  /// `all` is around most boxes. Cells are not smaller than `smallest`.
-  TriangleTree(const Eigen::AlignedBox3d& all, double smallest)
-    : Root({ 0, all.center(), 0.5 * all.sizes().maxCoeff() })
-    , Smallest(smallest)
+  struct Entry
   {
+    std::int32_t Triangle;
+    Eigen::AlignedBox3d Box;
+  };
+
+  explicit TriangleTree(const std::vector<Entry>& entries = {})
+  {
+    for (const Entry& entry : entries)
+    {
+      this->Around.extend(entry.Box);
+    }
+    this->Root = { 0, this->Around.center(), 0.5 * this->Around.sizes().maxCoeff() };
+    for (const Entry& entry : entries)
+    {
+      this->Add(entry.Triangle, entry.Box);
+    }
   }
 
   void Add(std::int32_t triangle, const Eigen::AlignedBox3d& box)
@@ -51,12 +62,6 @@ public:
   }
 
 private:
-  struct Entry
-  {
-    std::int32_t Triangle;
-    Eigen::AlignedBox3d Box;
-  };
-
   struct Node
   {
     std::array<std::int32_t, 8> Children = {}; // 0 if not there
@@ -83,7 +88,8 @@ private:
   /// Of the cell of a box, from or to which it will be moved.
   std::vector<Entry>& EntriesAt(const Eigen::AlignedBox3d& box, std::int32_t added)
   {
-    const double size = std::max(box.sizes().maxCoeff(), this->Smallest);
+    constexpr double smallest = 1e-6; // of all
+    const double size = std::max(box.sizes().maxCoeff(), smallest * this->Root.Half);
     const Eigen::Vector3d centre = box.center();
     Cell cell = this->Root;
     const bool isIn = (centre - cell.Middle).cwiseAbs().maxCoeff() <= cell.Half;
@@ -131,8 +137,7 @@ private:
   }
 
   Eigen::AlignedBox3d Around; // all boxes that were there
-  Cell Root = { 0, Eigen::Vector3d::Zero(), 0.0 };
-  double Smallest = 0.0;
+  Cell Root;
   std::vector<Node> Nodes = std::vector<Node>(1);
 };
 }
