@@ -127,7 +127,7 @@ public:
           blocks[n].IsGuessed = blocks[n].Known < FewestOfBlock;
           if (!blocks[n].IsGuessed)
           {
-            this->Fill({}, 0.0, blocks[n], Monitor());
+            this->Fill({}, 0.0, blocks[n]);
           }
         }
       });
@@ -164,7 +164,7 @@ public:
       }
       if (!others.empty())
       {
-        this->Fill(others, apart, blocks[n], Monitor());
+        this->Fill(others, apart, blocks[n]);
       }
     }
   }
@@ -201,8 +201,7 @@ private:
   static constexpr std::int32_t Margin = 4; // columns around the box
 
   /// Continues the picks of a block over it, in a window that grows until it holds the block.
-  void Fill(
-    const std::vector<const BlockHeights*>& others, double apart, BlockHeights& block, const Monitor& monitor) const
+  void Fill(const std::vector<const BlockHeights*>& others, double apart, BlockHeights& block) const
   {
     for (std::int32_t around = FirstWidening;; around *= 4)
     {
@@ -210,7 +209,7 @@ private:
       {
         this->Share(*other, *this->FaultBetween(*other, block), apart, block);
       }
-      if (this->FillWindow(block, monitor))
+      if (this->FillWindow(block))
       {
         return;
       }
@@ -391,7 +390,7 @@ private:
 
   /// Step by step from picks, since how far the block reaches depends on the heights. Columns around the box, which are cut
   /// off, have the nearest height. False if the window is too small.
-  bool FillWindow(BlockHeights& block, const Monitor& monitor) const
+  bool FillWindow(BlockHeights& block) const
   {
     std::vector<double> known(block.Heights.size(), NotKnown);
     for (std::size_t node = 0; node < known.size(); ++node)
@@ -428,7 +427,7 @@ private:
         break;
       }
       std::sort(sites.begin(), sites.end());
-      heights = this->Solve(block.Window, known, sites, monitor);
+      heights = Solve(block.Window, known, sites);
     }
     Spread(block.Window, heights, [](std::size_t, double) { return true; });
     block.Heights = std::move(heights);
@@ -498,8 +497,8 @@ private:
 
   /// A plate through the sites, held by springs at known heights around them. A weak membrane keeps it near them far
   /// away.
-  static std::vector<double> Solve(const BlockWindow& window, const std::vector<double>& known,
-    const std::vector<std::size_t>& sites, const Monitor& monitor)
+  static std::vector<double> Solve(
+    const BlockWindow& window, const std::vector<double>& known, const std::vector<std::size_t>& sites)
   {
     SiteSystem<2> system(SiteBox::Fill(RunsAround(window, sites, known)));
     const BoxPlaces& near = *system.Sites.Near;
@@ -533,7 +532,7 @@ private:
       system.Matrix[site][StencilMatrix<2>::Centre] += std::isfinite(value) ? spring : hold;
       values[site] = std::isfinite(value) ? spring * (value - datum) : 0.0;
     }
-    MakeSiteSolver<2>(system)->Solve(values, monitor);
+    MakeSiteSolver<2>(system)->Solve(values, Monitor());
     std::vector<double> heights = known;
     for (std::size_t site = 0; site < values.size(); ++site)
     {
@@ -617,51 +616,33 @@ private:
   double Column;
 };
 
-/// The block of a place farther than `margin` from its faults, or NoBlock. Beyond tips there is no fault.
-std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
-  const Eigen::Vector3d& place, double margin, std::vector<double>& distances)
+/// The block of each pick, or NoBlock if it is not used, or within `drop` of a fault. Beyond tips there is no fault.
+std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, std::size_t number, const BlockWindow& all,
+  const std::vector<unsigned char>& isDropped, const BlockTree& tree, double drop, const Monitor& monitor)
 {
-  distances.assign(faults.size(), NotKnown);
-  for (std::size_t n = 0; n < blocks.size(); ++n)
-  {
-    bool isIn = true;
-    for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
-    {
-      const int side = blocks[n].Sides[fault];
-      if (side != 0 && std::isnan(distances[fault]))
-      {
-        const FaultPlace at = faults[fault].Plate.ToPlace(place);
-        const double distance = faults[fault].Plate.Distance(at);
-        const bool isNear = std::abs(distance) <= margin && !faults[fault].IsBeyondTips(at);
-        distances[fault] = isNear ? 0.0 : distance;
-      }
-      isIn = side == 0 || side * distances[fault] > 0.0;
-    }
-    if (isIn)
-    {
-      return std::int32_t(n);
-    }
-  }
-  return NoBlock;
-}
-
-/// The block of each pick, or NoBlock if it is not used.
-std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, const SealingHorizon& horizon,
-  const BlockWindow& all, const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks,
-  double drop, const Monitor& monitor)
-{
+  const SealingHorizon& horizon = input.Horizons[number];
+  const std::vector<BlockSides> blocks = tree.BlocksOf(number);
   std::vector<std::int32_t> blockOf(horizon.Columns.size(), NoBlock);
   ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
     {
-      std::vector<double> distances;
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
         const PlanePoint& column = horizon.Columns[pick];
-        if (all.Contains(column) && isDropped[pick] == 0)
+        const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
+        bool isUsed = all.Contains(column) && isDropped[pick] == 0;
+        const auto isHanging = [&](std::size_t fault)
         {
-          const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
-          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop, distances);
+          const FaultPlate& plate = input.Faults[fault].Plate;
+          const FaultPlace at = plate.ToPlace(place);
+          const double distance = plate.Distance(at);
+          isUsed = isUsed && distance != 0.0 && (std::abs(distance) > drop || input.Faults[fault].IsBeyondTips(at));
+          return distance > 0.0;
+        };
+        if (isUsed)
+        {
+          const auto found = std::find(blocks.begin(), blocks.end(), tree.FindAt(number, isHanging));
+          blockOf[pick] = isUsed ? std::int32_t(found - blocks.begin()) : NoBlock;
         }
       }
     });
@@ -689,7 +670,7 @@ std::vector<BlockHeights> ListBlockPicks(const SealingInput& input, std::size_t 
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  const std::vector<std::int32_t> blockOf = FindBlockOfPoints(input, horizon, all, isDropped, blocks, drop, monitor);
+  const std::vector<std::int32_t> blockOf = FindBlockOfPoints(input, number, all, isDropped, tree, drop, monitor);
   for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
     if (blockOf[pick] != NoBlock)
