@@ -21,7 +21,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t NoBlock = -1;
 constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
 constexpr int Around = 4; // columns kept around a block
@@ -34,26 +33,6 @@ constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
 constexpr double LeastNew = 0.01; // of the nodes of a continuation, for another one
 constexpr int Rim = 6; // columns of picks that the continuation follows
 constexpr std::int32_t FirstWidening = 64; // columns that a window grows by; four times as many each time
-
-double MeanOf(const std::vector<double>& known)
-{
-  double sum = 0.0, count = 0.0;
-  for (const double value : known)
-  {
-    sum += std::isfinite(value) ? value : 0.0;
-    count += std::isfinite(value) ? 1.0 : 0.0;
-  }
-  return sum / std::max(count, 1.0);
-}
-
-/// The box of the model and some columns around it.
-BlockWindow WindowOf(const SealingInput& input, std::int32_t margin)
-{
-  BlockWindow box;
-  box.Least = { input.Least.X - margin, input.Least.Y - margin };
-  box.Greatest = { input.Greatest.X + margin, input.Greatest.Y + margin };
-  return box;
-}
 
 /// Visits the neighbours of a node in a window.
 template <typename Visitor>
@@ -112,7 +91,7 @@ public:
   const BlockWindow& Everywhere() const { return this->All; }
   bool IsInWalls(const PlanePoint& column) const
   {
-    return WindowOf(this->Input, 0).Contains(column) &&
+    return WindowOf(this->Input).Contains(column) &&
       (this->Input.Outline.empty() || SeismicHorizons::IsInside(this->Corners, this->PlaceOf(column, 0.0).head<2>()));
   }
 
@@ -392,10 +371,10 @@ private:
   /// off, have the nearest height. False if the window is too small.
   bool FillWindow(BlockHeights& block) const
   {
-    std::vector<double> known(block.Heights.size(), NotKnown);
+    std::vector<double> known(block.Heights.size(), NoValue);
     for (std::size_t node = 0; node < known.size(); ++node)
     {
-      known[node] = (block.Nodes[node] & (HasPick | IsShared)) != 0 ? block.Heights[node] : NotKnown;
+      known[node] = (block.Nodes[node] & (HasPick | IsShared)) != 0 ? block.Heights[node] : NoValue;
     }
     std::vector<double> heights = known;
     std::vector<std::size_t> sites;
@@ -510,7 +489,7 @@ private:
     static constexpr std::array<PlateTerm, 2> alongX = { { { 0, 0, -1.0 }, { 1, 0, 1.0 } } };
     static constexpr std::array<PlateTerm, 2> alongY = { { { 0, 0, -1.0 }, { 0, 1, 1.0 } } };
     constexpr double tension = 1e-6, spring = 1.0, hold = 1e-12;
-    const double datum = MeanOf(known);
+    const double datum = *std::find_if(known.begin(), known.end(), [](double height) { return std::isfinite(height); });
     const auto nodeOf = [&](std::size_t site)
     {
       const PlanePoint column = near.Column(system.Sites.Place[site]);
@@ -681,7 +660,7 @@ std::vector<BlockHeights> ListBlockPicks(const SealingInput& input, std::size_t 
   for (BlockHeights& block : blocks)
   {
     block.Window = block.Window.IsEmpty() ? all : block.Window.Grown(FirstWidening, all);
-    block.Heights.assign(block.Window.Size(), NotKnown);
+    block.Heights.assign(block.Window.Size(), NoValue);
     block.Nodes.assign(block.Window.Size(), 0);
   }
   for (std::size_t pick = 0; pick < blockOf.size(); ++pick)

@@ -60,6 +60,15 @@ struct BlockWindow : PlaneBox
   }
 };
 
+/// The box of the model and some columns around it.
+inline BlockWindow WindowOf(const SealingInput& input, std::int32_t margin = 0)
+{
+  BlockWindow window;
+  window.Least = { input.Least.X - margin, input.Least.Y - margin };
+  window.Greatest = { input.Greatest.X + margin, input.Greatest.Y + margin };
+  return window;
+}
+
 enum BlockNode : unsigned char // flags
 {
   HasPick = 1, // that is used

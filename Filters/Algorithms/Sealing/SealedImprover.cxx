@@ -802,9 +802,9 @@ SealedComplex Improve(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vector<SheetShape>& shapes)
+double MeasureLargestError(const SealedComplex& complex, const std::vector<SheetShape>& shapes)
 {
-  std::vector<double> errors(shapes.size(), 0.0);
+  double error = 0.0;
   for (const LabelledTriangle& triangle : complex.Triangles)
   {
     std::array<Eigen::Vector3d, 3> corners;
@@ -812,7 +812,6 @@ std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vecto
     {
       corners[n] = complex.Vertices[std::size_t(triangle.Corners[n])];
     }
-    double& error = errors[std::size_t(triangle.Sheet)];
     ForEachHeight(shapes[std::size_t(triangle.Sheet)].Heights, corners,
       [&error](double above)
       {
@@ -820,6 +819,6 @@ std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vecto
         return true;
       });
   }
-  return errors;
+  return error;
 }
 }

@@ -685,8 +685,7 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
   model.Guessed = sheets.Guessed();
   model.Accounts = sheets.Accounts;
   model.Steps = sheets.Steps;
-  const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
-  model.LargestError = *std::max_element(errors.begin(), errors.end());
+  model.LargestError = MeasureLargestError(complex, sheets.Shapes);
   return model;
 }
 }

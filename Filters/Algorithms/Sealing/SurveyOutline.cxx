@@ -26,9 +26,7 @@ constexpr std::size_t MostCorners = 32;
 
 std::vector<PlanePoint> ListColumns(const SealingInput& input)
 {
-  BlockWindow window;
-  window.Least = input.Least;
-  window.Greatest = input.Greatest;
+  const BlockWindow window = WindowOf(input);
   std::vector<unsigned char> isThere(window.Size(), 0);
   for (const SealingHorizon& horizon : input.Horizons)
   {
