@@ -60,16 +60,18 @@ struct LocalFrame
 };
 
 /// Picks around a place, with all that sums for surfaces of second order are made of.
-struct PickTable : LocalFrame
+struct LocalPicks : LocalFrame
 {
   static constexpr int Powers = 15;
 
-  PickTable(const std::vector<NearPick*>& picks, const FaultPlace& middle, const CutoffFitOptions& options)
+  LocalPicks(const std::vector<NearPick*>& picks, const FaultPlace& middle, const CutoffFitOptions& options)
     : LocalFrame({ middle, options.Row, options.Column })
     , Products(std::ptrdiff_t(picks.size()), Powers + 6)
+    , Agreement(std::ptrdiff_t(picks.size()))
   {
     for (std::ptrdiff_t n = 0; n < this->Products.rows(); ++n)
     {
+      this->Agreement(n) = picks[std::size_t(n)]->Weight;
       const FaultPlace& place = picks[std::size_t(n)]->Pick->Place;
       const auto [a, b] = this->At(place);
       const double aa = a * a, ab = a * b, bb = b * b;
@@ -80,6 +82,7 @@ struct PickTable : LocalFrame
   }
 
   Eigen::Matrix<double, Eigen::Dynamic, Powers + 6> Products; // by pick: powers, and terms times the height
+  Eigen::ArrayXd Agreement; // weights
 };
 
 /// A surface of second order by weighted least squares. Few picks give a plane.
@@ -87,13 +90,13 @@ class LocalSurface : public LocalFrame
 {
 public:
   /// `unit` is the size of the surface in columns.
-  LocalSurface(const PickTable& picks, const Eigen::VectorXd& weights, double unit, bool isPlane = false)
+  LocalSurface(const LocalPicks& picks, const Eigen::VectorXd& weights, double unit, bool isPlane = false)
     : LocalFrame(picks)
   {
     constexpr std::ptrdiff_t fewestForCurves = 12;
     constexpr double held = 1e-13, stiff = 1e6;
-    const Eigen::Matrix<double, PickTable::Powers + 6, 1> sums = picks.Products.transpose() * weights;
-    Normal matrix = Expand(sums.head<PickTable::Powers>());
+    const Eigen::Matrix<double, LocalPicks::Powers + 6, 1> sums = picks.Products.transpose() * weights;
+    Normal matrix = Expand(sums.head<LocalPicks::Powers>());
     const bool isFlat = isPlane || (weights.array() > 0.0).count() < fewestForCurves;
     for (int term = 1; term < 6; ++term)
     {
@@ -111,9 +114,9 @@ public:
   }
 
   /// Distances of heights from it.
-  Eigen::VectorXd Off(const PickTable& picks) const
+  Eigen::VectorXd Off(const LocalPicks& picks) const
   {
-    return (picks.Products.col(PickTable::Powers) - picks.Products.leftCols<6>() * this->Coefficients).cwiseAbs();
+    return (picks.Products.col(LocalPicks::Powers) - picks.Products.leftCols<6>() * this->Coefficients).cwiseAbs();
   }
 
   /// The slope across, in heights by distance.
@@ -124,10 +127,10 @@ public:
   }
 
   /// With the weights it has.
-  void MeasureSpread(const PickTable& picks, const Eigen::VectorXd& weights)
+  void MeasureSpread(const LocalPicks& picks, const Eigen::VectorXd& weights)
   {
     const Normal inverse = this->Factor.solve(Normal::Identity());
-    const Normal squares = Expand(picks.Products.leftCols<PickTable::Powers>().transpose() * weights.cwiseAbs2());
+    const Normal squares = Expand(picks.Products.leftCols<LocalPicks::Powers>().transpose() * weights.cwiseAbs2());
     this->Covariance = inverse * squares * inverse;
   }
 
@@ -140,7 +143,7 @@ public:
 
 private:
   /// From sums of powers to those of products of terms.
-  static Normal Expand(const Eigen::Matrix<double, PickTable::Powers, 1>& sums)
+  static Normal Expand(const Eigen::Matrix<double, LocalPicks::Powers, 1>& sums)
   {
     constexpr std::array<int, 6> degree = { 0, 1, 1, 2, 2, 2 }, across = { 0, 0, 1, 0, 1, 2 };
     Normal matrix;
@@ -195,12 +198,11 @@ double Bisquare(double value)
 }
 
 /// The height, offset and spread of one width, in columns.
-std::optional<CutoffPlace> FitWidth(
-  const PickTable& picks, const Eigen::VectorXd& agreement, const FaultPlate& fault, double width, double noise)
+std::optional<CutoffPlace> FitWidth(const LocalPicks& picks, const FaultPlate& fault, double width, double noise)
 {
   constexpr std::ptrdiff_t fewest = 6;
   const Eigen::ArrayXd away = (picks.Products.col(3) + picks.Products.col(5)) / (width * width); // squared
-  const Eigen::VectorXd weights = agreement.array() * (1.0 - away).max(0.0).square();
+  const Eigen::VectorXd weights = picks.Agreement * (1.0 - away).max(0.0).square();
   if ((weights.array() > 0.0).count() < fewest)
   {
     return std::nullopt;
@@ -216,6 +218,39 @@ std::optional<CutoffPlace> FitWidth(
   cutoff.Height = met->Z;
   cutoff.Offset = met->N;
   cutoff.Spread = noise * std::sqrt(surface.VarianceAt(*met));
+  return cutoff;
+}
+
+/// The widest of surfaces that meet the fault within the confidence of all narrower ones; nothing if none does.
+CutoffPlace FitWidths(const LocalPicks& picks, const FaultPlate& fault, double gap, const CutoffFitOptions& options)
+{
+  constexpr double most = 2.0, confidence = 2.0; // in units of the noise, and of the spread
+  const auto heights = picks.Products.col(LocalPicks::Powers);
+  const double lowest = picks.Middle.Z + heights.minCoeff(), highest = picks.Middle.Z + heights.maxCoeff();
+  double least = -std::numeric_limits<double>::infinity(), largest = -least;
+  CutoffPlace cutoff;
+  for (const double width : Widths)
+  {
+    const std::optional<CutoffPlace> fit = FitWidth(picks, fault, gap + width, options.Noise);
+    // A width with too few picks to average noise gives way to the next.
+    const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
+    // What leaves the heights of all picks far behind is no continuation of them.
+    const double reach = (2.0 + gap) * std::max(highest - lowest, options.Noise);
+    const bool isFar = fit && (fit->Height < lowest - reach || fit->Height > highest + reach);
+    if (!fit || isFar || (fit->Spread > most * options.Noise && !isLast))
+    {
+      continue;
+    }
+    least = std::max(least, fit->Height - confidence * fit->Spread);
+    largest = std::min(largest, fit->Height + confidence * fit->Spread);
+    if (least > largest)
+    {
+      break;
+    }
+    cutoff = *fit;
+    cutoff.Spread = std::max(fit->Spread, options.LeastSpread);
+    cutoff.Gap = gap;
+  }
   return cutoff;
 }
 
@@ -366,7 +401,7 @@ void NearPicks::KeepOuter(double width, bool isPlane)
     return;
   }
   middle /= double(window.size());
-  const PickTable table(window, { this->S, middle, window.front()->Pick->Place.Z }, this->Options);
+  const LocalPicks table(window, { this->S, middle, window.front()->Pick->Place.Z }, this->Options);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(table.Products.rows());
   constexpr int rounds = 8;
   constexpr double close = 0.02;
@@ -415,18 +450,13 @@ void NearPicks::KeepAgreeing(double shift)
       rings[away < this->Ring ? std::min(std::size_t(away), outermost - 1) : outermost].push_back(&near);
     }
   }
-  std::vector<double> values, distances(rings.size(), 0.0); // the middle ones by ring
-  const auto middleOf = [&values](const std::vector<NearPick*>& ring, auto&& valueOf)
+  const auto middleOf = [](const std::vector<NearPick*>& ring, auto&& valueOf)
   {
-    values.resize(ring.size());
+    std::vector<double> values(ring.size());
     std::transform(ring.begin(), ring.end(), values.begin(), valueOf);
     return UpperMedian(values);
   };
-  for (std::size_t ring = 0; ring < rings.size(); ++ring)
-  {
-    const auto backwards = [column](const NearPick* near) { return -near->Pick->Distance / column; };
-    distances[ring] = rings[ring].empty() ? 0.0 : -middleOf(rings[ring], backwards);
-  }
+  const auto nearness = [column](const NearPick* near) { return -near->Pick->Distance / column; };
   for (const OuterSurface& outer : this->Outer)
   {
     const auto offOf = [&outer](const NearPick* near)
@@ -444,14 +474,15 @@ void NearPicks::KeepAgreeing(double shift)
         continue;
       }
       bend[ring] = middleOf(rings[ring], offOf);
+      const double distance = -middleOf(rings[ring], nearness);
       const double step = std::abs(bend[ring] - before);
-      const double slow = Harmless * shift * std::max(1.0, last - distances[ring]);
+      const double slow = Harmless * shift * std::max(1.0, last - distance);
       // What begins in the last column is no bend yet.
       const double sudden = std::max(2.0 * lastStep, 0.3 * slow);
       const bool isSlow = step <= std::max(ring > 0 ? slow : std::min(slow, sudden), outer.Scatter);
       isBend = isBend && (ring == outermost || isSlow);
       lastStep = ring == outermost ? 0.0 : step;
-      last = distances[ring];
+      last = distance;
     }
     for (std::size_t ring = 0; ring < outermost; ++ring)
     {
@@ -472,10 +503,9 @@ CutoffPlace NearPicks::Fit()
 {
   const double column = this->Options.Column, row = this->Options.Row;
   const double infinity = std::numeric_limits<double>::infinity();
-  CutoffPlace cutoff;
-  cutoff.IsChecked = this->Ring >= LeastDoubtful;
   double gap = infinity, height = 0.0;
-  std::array<double, 2> along = { infinity, -infinity }, heights = { infinity, -infinity };
+  std::array<double, 2> along = { infinity, -infinity };
+  std::vector<std::size_t> dropped;
   std::vector<NearPick*> agreeing;
   for (NearPick& near : this->Picks)
   {
@@ -483,7 +513,7 @@ CutoffPlace NearPicks::Fit()
     const bool isDoubtful = pick.Distance >= this->Options.DropDistance * column && pick.Distance <= Doubtful * column;
     if (near.Weight == 0.0 && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row)
     {
-      cutoff.Dropped.push_back(pick.Number);
+      dropped.push_back(pick.Number);
     }
     if (near.Weight == 0.0)
     {
@@ -491,7 +521,6 @@ CutoffPlace NearPicks::Fit()
     }
     agreeing.push_back(&near);
     along = { std::min(along[0], pick.Place.S), std::max(along[1], pick.Place.S) };
-    heights = { std::min(heights[0], pick.Place.Z), std::max(heights[1], pick.Place.Z) };
     const double away = Eigen::Vector2d((pick.Place.S - this->S) / row, pick.Distance / column).norm();
     if (away < gap)
     {
@@ -505,35 +534,9 @@ CutoffPlace NearPicks::Fit()
     return CutoffPlace();
   }
   const FaultPlace foot = { this->S, this->Fault.Offset(this->S, height), height };
-  constexpr double most = 2.0, confidence = 2.0; // in units of the noise, and of the spread
-  double least = -infinity, largest = infinity;
-  const PickTable table(agreeing, foot, this->Options);
-  Eigen::VectorXd agreement(table.Products.rows());
-  std::transform(
-    agreeing.begin(), agreeing.end(), agreement.begin(), [](const NearPick* near) { return near->Weight; });
-  for (const double width : Widths)
-  {
-    const std::optional<CutoffPlace> fit = FitWidth(table, agreement, this->Fault, gap + width, this->Options.Noise);
-    // A width with too few picks to average noise gives way to the next.
-    const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
-    // What leaves the heights of all picks far behind is no continuation of them.
-    const double reach = (2.0 + gap) * std::max(heights[1] - heights[0], this->Options.Noise);
-    const bool isFar = fit && (fit->Height < heights[0] - reach || fit->Height > heights[1] + reach);
-    if (!fit || isFar || (fit->Spread > most * this->Options.Noise && !isLast))
-    {
-      continue;
-    }
-    least = std::max(least, fit->Height - confidence * fit->Spread);
-    largest = std::min(largest, fit->Height + confidence * fit->Spread);
-    if (least > largest)
-    {
-      break;
-    }
-    cutoff.Height = fit->Height;
-    cutoff.Offset = fit->Offset;
-    cutoff.Spread = std::max(fit->Spread, this->Options.LeastSpread);
-    cutoff.Gap = gap;
-  }
+  CutoffPlace cutoff = FitWidths({ agreeing, foot, this->Options }, this->Fault, gap, this->Options);
+  cutoff.IsChecked = this->Ring >= LeastDoubtful;
+  cutoff.Dropped = std::move(dropped);
   return cutoff;
 }
 }

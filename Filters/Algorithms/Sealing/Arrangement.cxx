@@ -3,9 +3,9 @@
 
 #include "Arrangement.h"
 
+#include "BoxTree.h"
 #include "Common/Base/Parallel.h"
 #include "TriangleSplitter.h"
-#include "TriangleTree.h"
 
 #include <Eigen/Geometry>
 
@@ -61,7 +61,7 @@ public:
     this->CutsOf.resize(this->Triangles.size());
     for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
     {
-      std::vector<TriangleTree::Entry> entries;
+      std::vector<BoxTree::Entry> entries;
       for (SealId n = this->Begins[sheet]; n < this->Begins[sheet + 1]; ++n)
       {
         entries.push_back({ n, this->BoxOf(n) });
@@ -470,7 +470,7 @@ private:
   Arrangement Result;
   std::vector<ArrangedTriangle> Triangles;
   std::vector<SealId> Begins; // the first triangle of a sheet
-  std::vector<TriangleTree> Trees; // by sheet
+  std::vector<BoxTree> Trees; // by sheet
   std::vector<SheetCut> Cuts;
   std::vector<std::vector<SealId>> CutsOf; // by triangle
   std::unordered_map<std::pair<EdgeKey, SealId>, SealId, PairHash> Pierced;

@@ -255,24 +255,6 @@ private:
     return isThere ? std::optional<FaultPlace>(at) : std::nullopt;
   }
 
-  bool HasPicksNear(const BlockHeights& block, const PlanePoint& column, std::int32_t columns) const
-  {
-    BlockWindow around;
-    around.Add(column);
-    around = around.Grown(columns, this->All);
-    for (PlanePoint at = around.Least; at.Y <= around.Greatest.Y; ++at.Y)
-    {
-      for (at.X = around.Least.X; at.X <= around.Greatest.X; ++at.X)
-      {
-        if (block.Has(at, HasPick))
-        {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
   void AddSteps(const BlockHeights& a, const BlockHeights& b, std::size_t between, double apart,
     std::vector<StepPlace>& steps) const
   {
@@ -293,7 +275,7 @@ private:
       const double heave = fault.Plate.Lean() * std::abs(a.Heights[node] - height) / this->Column;
       const auto near = std::int32_t(around + std::min(heave, MostHeave));
       const bool isClear = std::abs(a.Heights[node] - height) > clear * apart;
-      if (at && this->HasPicksNear(a, column, near) && this->HasPicksNear(b, column, near) &&
+      if (at && a.HasPickNear(column, near) && b.HasPickNear(column, near) &&
         (isClear || DistanceToLine(fault.TipLoop, { at->S, at->Z }) > beyond * this->Column))
       {
         const bool isHighest = a.Horizon == 0, isLowest = a.Horizon + 1 == this->Input.Horizons.size();
@@ -316,8 +298,7 @@ private:
       const double height = other.HeightNear(column);
       const bool isBehind =
         this->FindBehind(block, other, between, this->PlaceOf(column, height), Beyond * this->Column).has_value();
-      if (isBehind &&
-        (std::abs(height - block.Heights[node]) <= apart || !this->HasPicksNear(block, column, 2 * int(Beyond))))
+      if (isBehind && (std::abs(height - block.Heights[node]) <= apart || !block.HasPickNear(column, 2 * int(Beyond))))
       {
         block.Nodes[node] = IsShared;
         block.Heights[node] = height;
@@ -328,11 +309,10 @@ private:
   /// Whether the window ends there, but not the lattice.
   bool IsEdge(const BlockWindow& window, const PlanePoint& column) const
   {
-    const BlockWindow around = window.Grown(1, this->All);
-    return (column.X == window.Least.X && around.Least.X < column.X) ||
-      (column.Y == window.Least.Y && around.Least.Y < column.Y) ||
-      (column.X == window.Greatest.X && around.Greatest.X > column.X) ||
-      (column.Y == window.Greatest.Y && around.Greatest.Y > column.Y);
+    return (column.X == window.Least.X && column.X > this->All.Least.X) ||
+      (column.Y == window.Least.Y && column.Y > this->All.Least.Y) ||
+      (column.X == window.Greatest.X && column.X < this->All.Greatest.X) ||
+      (column.Y == window.Greatest.Y && column.Y < this->All.Greatest.Y);
   }
 
   /// The same block in another window. New nodes have the nearest height.

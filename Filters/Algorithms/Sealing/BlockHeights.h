@@ -96,6 +96,18 @@ struct BlockHeights
   {
     return this->Window.Contains(column) && (this->Nodes[this->Window.NodeOf(column)] & flag) != 0;
   }
+  bool HasPickNear(const PlanePoint& column, std::int32_t columns) const
+  {
+    bool isThere = false;
+    for (std::int32_t y = column.Y - columns; y <= column.Y + columns && !isThere; ++y)
+    {
+      for (std::int32_t x = column.X - columns; x <= column.X + columns && !isThere; ++x)
+      {
+        isThere = this->Has({ x, y }, HasPick);
+      }
+    }
+    return isThere;
+  }
 };
 
 struct HorizonBlocks

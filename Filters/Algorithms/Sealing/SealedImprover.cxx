@@ -3,7 +3,7 @@
 
 #include "SealedImprover.h"
 
-#include "TriangleTree.h"
+#include "BoxTree.h"
 
 #include <Eigen/Geometry>
 
@@ -105,7 +105,7 @@ public:
     , Changed(this->Complex.Vertices.size(), 0)
     , Attempts(this->Complex.Vertices.size())
   {
-    std::vector<std::vector<TriangleTree::Entry>> entries(shapes.size());
+    std::vector<std::vector<BoxTree::Entry>> entries(shapes.size());
     for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
     {
       const LabelledTriangle& triangle = this->Complex.Triangles[n];
@@ -115,7 +115,7 @@ public:
         this->Around[std::size_t(corner)].push_back(SealId(n));
       }
     }
-    this->Trees = std::vector<TriangleTree>(entries.begin(), entries.end());
+    this->Trees = std::vector<BoxTree>(entries.begin(), entries.end());
   }
 
   void Run(const Monitor& monitor)
@@ -250,15 +250,10 @@ private:
   bool IsSettled(SealId vertex) const
   {
     const Attempt& last = this->Attempts[std::size_t(vertex)];
-    const std::vector<SealId>& around = this->Around[std::size_t(vertex)];
-    return this->PartOfHeights() == last.Part &&
-      std::all_of(around.begin(), around.end(),
-        [&](SealId triangle)
-        {
-          const SheetCorners& corners = this->Triangle(triangle).Corners;
-          return std::all_of(corners.begin(), corners.end(),
-            [&](SealId corner) { return this->Changed[std::size_t(corner)] < last.Time; });
-        });
+    const auto isAsBefore = [&](SealId other) { return this->Changed[std::size_t(other)] < last.Time; };
+    const std::vector<SealId> neighbours = this->NeighboursOf(vertex);
+    return this->PartOfHeights() == last.Part && isAsBefore(vertex) &&
+      std::all_of(neighbours.begin(), neighbours.end(), isAsBefore);
   }
 
   void Remove(SealId vertex)
@@ -325,21 +320,20 @@ private:
   /// Whether the other vertex is on all faults that the vertex is on, which it may not draw beyond their tips.
   bool IsOnFaultsOf(SealId vertex, SealId other) const
   {
-    const auto isFault = [this](SealId triangle, SealId sheet)
-    {
-      const LabelledTriangle& own = this->Triangle(triangle);
-      return own.Sheet == sheet && !own.IsBeyondTips;
-    };
     const std::vector<SealId>& around = this->Around[std::size_t(vertex)];
     const std::vector<SealId>& others = this->Around[std::size_t(other)];
     return std::all_of(around.begin(), around.end(),
       [&](SealId triangle)
       {
-        const SealId sheet = this->Triangle(triangle).Sheet;
-        const bool isOfGap = std::any_of(others.begin(), others.end(),
-          [&](SealId beside) { return this->Triangle(beside).IsBeyondTips && this->Triangle(beside).Sheet == sheet; });
-        return !isFault(triangle, sheet) || !isOfGap ||
-          std::any_of(others.begin(), others.end(), [&](SealId beside) { return isFault(beside, sheet); });
+        const LabelledTriangle& own = this->Triangle(triangle);
+        const auto isOn = [&](bool isBeyondTips)
+        {
+          return std::any_of(others.begin(), others.end(),
+            [&](SealId beside) {
+              return this->Triangle(beside).Sheet == own.Sheet && this->Triangle(beside).IsBeyondTips == isBeyondTips;
+            });
+        };
+        return own.IsBeyondTips || !isOn(true) || isOn(false);
       });
   }
 
@@ -787,7 +781,7 @@ private:
   std::size_t Time = 1; // counts attempts
   std::vector<std::size_t> Changed; // by vertex, when a triangle around it did
   std::vector<Attempt> Attempts; // by vertex, the last ones
-  std::vector<TriangleTree> Trees; // by sheet
+  std::vector<BoxTree> Trees; // by sheet
   std::unordered_map<EdgeKey, GonePlaces> Gone; // by edge of a line, places it had
 };
 }

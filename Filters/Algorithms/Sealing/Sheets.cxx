@@ -110,17 +110,17 @@ void Shake(std::vector<Sheet>& sheets, double distance, unsigned round)
 SheetLocator::SheetLocator(const Sheet& sheet)
   : Given(sheet)
 {
-  std::vector<TriangleTree::Entry> entries;
+  std::vector<BoxTree::Entry> entries;
   for (std::size_t n = 0; n < sheet.Triangles.size(); ++n)
   {
-    TriangleTree::Entry& entry = entries.emplace_back(TriangleTree::Entry{ std::int32_t(n), {} });
+    BoxTree::Entry& entry = entries.emplace_back(BoxTree::Entry{ std::int32_t(n), {} });
     for (const std::int32_t corner : sheet.Triangles[n])
     {
       const Eigen::Vector3d place = sheet.Axes * sheet.Vertices[std::size_t(corner)];
       entry.Box.extend(Eigen::Vector3d(place.x(), place.y(), 0.0));
     }
   }
-  this->Triangles = TriangleTree(entries);
+  this->Triangles = BoxTree(entries);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

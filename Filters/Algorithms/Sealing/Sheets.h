@@ -6,9 +6,9 @@
 #ifndef SeismicHorizonsSheets_h
 #define SeismicHorizonsSheets_h
 
+#include "BoxTree.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
-#include "TriangleTree.h"
 
 #include <Eigen/Core>
 
@@ -76,7 +76,7 @@ public:
 
 private:
   const Sheet& Given;
-  TriangleTree Triangles; // on the plane
+  BoxTree Triangles; // on the plane
 };
 }
 

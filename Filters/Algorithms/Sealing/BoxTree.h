@@ -5,8 +5,8 @@
 // that is just as large, and reaches beyond it by up to half of the cell. Only cells that are there are searched, as
 // triangles are flat, and large ones have many cells of small ones around.
 
-#ifndef SeismicHorizonsTriangleTree_h
-#define SeismicHorizonsTriangleTree_h
+#ifndef SeismicHorizonsBoxTree_h
+#define SeismicHorizonsBoxTree_h
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -18,7 +18,7 @@
 
 namespace SeismicHorizons
 {
-class TriangleTree
+class BoxTree
 {
 public:
   struct Entry
@@ -27,7 +27,7 @@ public:
     Eigen::AlignedBox3d Box;
   };
 
-  explicit TriangleTree(const std::vector<Entry>& entries = {})
+  explicit BoxTree(const std::vector<Entry>& entries = {})
   {
     for (const Entry& entry : entries)
     {
