@@ -88,11 +88,11 @@ private:
   /// Of the cell of a box, from or to which it will be moved.
   std::vector<Entry>& EntriesAt(const Eigen::AlignedBox3d& box, std::int32_t added)
   {
-    constexpr double smallest = 1e-6; // of all
-    const double size = std::max(box.sizes().maxCoeff(), smallest * this->Root.Half);
+    constexpr double smallest = 1e-6, rounding = 1.001; // of all, and of the box
+    const double size = rounding * std::max(box.sizes().maxCoeff(), smallest * this->Root.Half);
     const Eigen::Vector3d centre = box.center();
     Cell cell = this->Root;
-    const bool isIn = (centre - cell.Middle).cwiseAbs().maxCoeff() <= cell.Half;
+    const bool isIn = (centre - cell.Middle).cwiseAbs().maxCoeff() <= cell.Half; // Others are in the root.
     while (isIn && cell.Half >= size)
     {
       this->Nodes[std::size_t(cell.Node)].Count += added;
@@ -123,9 +123,8 @@ private:
     {
       if (node.Children[child] != 0)
       {
-        constexpr double reach = 2.0 + 1e-9; // beyond rounding
         const Cell next = cell.Child(node.Children[child], child);
-        const Eigen::Array3d most = Eigen::Array3d::Constant(reach * next.Half);
+        const Eigen::Array3d most = Eigen::Array3d::Constant(2.0 * next.Half);
         if ((box.min().array() <= next.Middle.array() + most).all() &&
           (box.max().array() >= next.Middle.array() - most).all() && this->AnyAt(next, box, test))
         {
