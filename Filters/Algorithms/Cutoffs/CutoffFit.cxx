@@ -13,8 +13,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
@@ -31,86 +33,134 @@ constexpr std::array<double, 5> Widths = { 3.0, 4.5, 6.5, 9.5, 14.0 }; // column
 using Terms = Eigen::Matrix<double, 6, 1>;
 using Normal = Eigen::Matrix<double, 6, 6>;
 
-/// A surface of second order around a place, by weighted least squares. Few picks give a plane.
-class LocalSurface
+/// Of two coordinates. A product of two terms is one of the powers up to the fourth degree, whose first six they are.
+Terms TermsOf(const std::array<double, 2>& place)
+{
+  const auto [a, b] = place;
+  return (Terms() << 1.0, a, b, a * a, a * b, b * b).finished();
+}
+
+struct NearPick
+{
+  const SidePick* Pick;
+  double Weight = 0.0; // 0 if it does not agree
+};
+
+/// Coordinates in columns from a place.
+struct LocalFrame
+{
+  FaultPlace Middle;
+  double Row;
+  double Column;
+
+  std::array<double, 2> At(const FaultPlace& place) const
+  {
+    return { (place.S - this->Middle.S) / this->Row, (place.N - this->Middle.N) / this->Column };
+  }
+};
+
+/// Picks around a place, with all that sums for surfaces of second order are made of.
+struct LocalPicks : LocalFrame
+{
+  static constexpr int Powers = 15;
+
+  LocalPicks(const std::vector<NearPick*>& picks, const FaultPlace& middle, const CutoffFitOptions& options)
+    : LocalFrame({ middle, options.Row, options.Column })
+    , Products(std::ptrdiff_t(picks.size()), Powers + 6)
+    , Agreement(std::ptrdiff_t(picks.size()))
+  {
+    for (std::ptrdiff_t n = 0; n < this->Products.rows(); ++n)
+    {
+      this->Agreement(n) = picks[std::size_t(n)]->Weight;
+      const FaultPlace& place = picks[std::size_t(n)]->Pick->Place;
+      const auto [a, b] = this->At(place);
+      const double aa = a * a, ab = a * b, bb = b * b;
+      const Terms terms = TermsOf({ a, b });
+      this->Products.row(n) << terms.transpose(), a * aa, a * ab, a * bb, b * bb, aa * aa, aa * ab, ab * ab, ab * bb,
+        bb * bb, (place.Z - middle.Z) * terms.transpose();
+    }
+  }
+
+  Eigen::Matrix<double, Eigen::Dynamic, Powers + 6> Products; // by pick: powers, and terms times the height
+  Eigen::ArrayXd Agreement; // weights
+};
+
+/// A surface of second order by weighted least squares. Few picks give a plane.
+class LocalSurface : public LocalFrame
 {
 public:
-  /// Coordinates are counted in units of both axes from a place.
-  LocalSurface(double s, double n, double unitS, double unitN, bool isPlane = false)
-    : S(s)
-    , N(n)
-    , UnitS(unitS)
-    , UnitN(unitN)
-    , IsPlane(isPlane)
+  /// `unit` is the size of the surface in columns.
+  LocalSurface(const LocalPicks& picks, const Eigen::VectorXd& weights, double unit, bool isPlane = false)
+    : LocalFrame(picks)
   {
-  }
-
-  void Add(const FaultPlace& place, double weight)
-  {
-    if (this->Count == 0)
-    {
-      this->Level = place.Z;
-    }
-    const Terms terms = this->TermsAt(place.S, place.N);
-    this->Matrix.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight);
-    this->Squares.selfadjointView<Eigen::Lower>().rankUpdate(terms, weight * weight);
-    this->Right += weight * (place.Z - this->Level) * terms;
-    ++this->Count;
-  }
-
-  std::size_t Size() const { return this->Count; }
-
-  void Solve()
-  {
-    constexpr std::size_t fewestForCurves = 12;
+    constexpr std::ptrdiff_t fewestForCurves = 12;
     constexpr double held = 1e-13, stiff = 1e6;
-    const double scale = this->Matrix(0, 0);
-    Normal matrix = this->Matrix;
+    const Eigen::Matrix<double, LocalPicks::Powers + 6, 1> sums = picks.Products.transpose() * weights;
+    Normal matrix = Expand(sums.head<LocalPicks::Powers>());
+    const bool isFlat = isPlane || (weights.array() > 0.0).count() < fewestForCurves;
     for (int term = 1; term < 6; ++term)
     {
-      matrix(term, term) += scale * (term > 2 && (this->IsPlane || this->Count < fewestForCurves) ? stiff : held);
+      matrix(term, term) += sums(0) * (term > 2 && isFlat ? stiff : held) * std::pow(unit, term > 2 ? 4 : 2);
     }
-    this->Inverse = matrix.selfadjointView<Eigen::Lower>().ldlt().solve(Normal::Identity());
-    this->Coefficients = this->Inverse * this->Right;
+    this->Factor.compute(matrix);
+    this->Coefficients = this->Factor.solve(sums.tail<6>());
   }
 
-  double At(double s, double n) const { return this->Level + this->Coefficients.dot(this->TermsAt(s, n)); }
+  double HeightAt(const FaultPlace& place) const
+  {
+    const Terms& c = this->Coefficients;
+    const auto [a, b] = this->At(place);
+    return this->Middle.Z + c(0) + a * (c(1) + a * c(3) + b * c(4)) + b * (c(2) + b * c(5));
+  }
+
+  /// Distances of heights from it.
+  Eigen::VectorXd Off(const LocalPicks& picks) const
+  {
+    return (picks.Products.col(LocalPicks::Powers) - picks.Products.leftCols<6>() * this->Coefficients).cwiseAbs();
+  }
 
   /// The slope across, in heights by distance.
-  double SlopeAt(double s, double n) const
+  double SlopeAt(const FaultPlace& place) const
   {
-    const double a = (s - this->S) / this->UnitS, b = (n - this->N) / this->UnitN;
-    return (this->Coefficients(2) + a * this->Coefficients(4) + 2.0 * b * this->Coefficients(5)) / this->UnitN;
+    const auto [a, b] = this->At(place);
+    return (this->Coefficients(2) + a * this->Coefficients(4) + 2.0 * b * this->Coefficients(5)) / this->Column;
   }
 
-  /// The variance of a height, for picks of variance 1.
-  double VarianceAt(double s, double n) const
+  /// With the weights it has.
+  void MeasureSpread(const LocalPicks& picks, const Eigen::VectorXd& weights)
   {
-    const Terms row = this->Inverse * this->TermsAt(s, n);
-    return row.dot(this->Squares.selfadjointView<Eigen::Lower>() * row);
+    const Normal inverse = this->Factor.solve(Normal::Identity());
+    const Normal squares = Expand(picks.Products.leftCols<LocalPicks::Powers>().transpose() * weights.cwiseAbs2());
+    this->Covariance = inverse * squares * inverse;
+  }
+
+  /// The variance of a height, for picks of variance 1, once it is measured.
+  double VarianceAt(const FaultPlace& place) const
+  {
+    const Terms terms = TermsOf(this->At(place));
+    return terms.dot(this->Covariance * terms);
   }
 
 private:
-  Terms TermsAt(double s, double n) const
+  /// From sums of powers to those of products of terms.
+  static Normal Expand(const Eigen::Matrix<double, LocalPicks::Powers, 1>& sums)
   {
-    const double a = (s - this->S) / this->UnitS, b = (n - this->N) / this->UnitN;
-    Terms terms;
-    terms << 1.0, a, b, a * a, a * b, b * b;
-    return terms;
+    constexpr std::array<int, 6> degree = { 0, 1, 1, 2, 2, 2 }, across = { 0, 0, 1, 0, 1, 2 };
+    Normal matrix;
+    for (std::size_t row = 0; row < 6; ++row)
+    {
+      for (std::size_t column = 0; column < 6; ++column)
+      {
+        const int both = degree[row] + degree[column];
+        matrix(int(row), int(column)) = sums(both * (both + 1) / 2 + across[row] + across[column]);
+      }
+    }
+    return matrix;
   }
 
-  double S;
-  double N;
-  double UnitS;
-  double UnitN;
-  bool IsPlane;
-  double Level = 0.0;
-  std::size_t Count = 0;
-  Normal Matrix = Normal::Zero();
-  Normal Squares = Normal::Zero();
-  Terms Right = Terms::Zero();
-  Normal Inverse = Normal::Zero();
-  Terms Coefficients = Terms::Zero();
+  Eigen::LDLT<Normal> Factor;
+  Terms Coefficients;
+  Normal Covariance; // of the coefficients
 };
 
 /// Where a surface, continued along its section across the fault, meets the fault; nothing if it does not.
@@ -122,10 +172,10 @@ std::optional<FaultPlace> Meet(const FaultPlate& fault, const LocalSurface& surf
   const double dz = 1e-3 * reach;
   for (int step = 0; step < mostSteps; ++step)
   {
-    const double z = surface.At(s, n);
+    const double z = surface.HeightAt({ s, n });
     const double off = n - fault.Offset(s, z);
     const double lean = (fault.Offset(s, z + dz) - fault.Offset(s, z - dz)) / (2.0 * dz);
-    const double turn = 1.0 - lean * surface.SlopeAt(s, n);
+    const double turn = 1.0 - lean * surface.SlopeAt({ s, n });
     if (!std::isfinite(off) || std::abs(turn) < leastTurn)
     {
       return std::nullopt;
@@ -133,7 +183,7 @@ std::optional<FaultPlace> Meet(const FaultPlate& fault, const LocalSurface& surf
     n -= off / turn;
     if (std::abs(off) <= close * (std::abs(n) + std::abs(lean) * reach))
     {
-      const double height = surface.At(s, n);
+      const double height = surface.HeightAt({ s, n });
       return FaultPlace{ s, fault.Offset(s, height), height };
     }
   }
@@ -147,47 +197,61 @@ double Bisquare(double value)
   return rest * rest;
 }
 
-struct NearPick
+/// The height, offset and spread of one width, in columns.
+std::optional<CutoffPlace> FitWidth(const LocalPicks& picks, const FaultPlate& fault, double width, double noise)
 {
-  const SidePick* Pick;
-  double Weight = 0.0; // 0 if it does not agree
-};
-
-/// One width of the last step.
-struct WidthFit
-{
-  FaultPlace Foot;
-  double Spread = 0.0;
-};
-
-/// `width` is in columns.
-std::optional<WidthFit> FitWidth(const std::vector<NearPick>& picks, const FaultPlate& fault, const FaultPlace& foot,
-  double width, const CutoffFitOptions& options)
-{
-  constexpr std::size_t fewest = 6;
-  const double unitS = width * options.Row, unitN = width * options.Column;
-  LocalSurface surface(foot.S, foot.N, unitS, unitN);
-  for (const NearPick& near : picks)
-  {
-    const FaultPlace& place = near.Pick->Place;
-    const double s = (place.S - foot.S) / unitS, n = (place.N - foot.N) / unitN;
-    const double rest = 1.0 - s * s - n * n;
-    if (near.Weight > 0.0 && rest > 0.0)
-    {
-      surface.Add(place, near.Weight * rest * rest);
-    }
-  }
-  if (surface.Size() < fewest)
+  constexpr std::ptrdiff_t fewest = 6;
+  const Eigen::ArrayXd away = (picks.Products.col(3) + picks.Products.col(5)) / (width * width); // squared
+  const Eigen::VectorXd weights = picks.Agreement * (1.0 - away).max(0.0).square();
+  if ((weights.array() > 0.0).count() < fewest)
   {
     return std::nullopt;
   }
-  surface.Solve();
-  const std::optional<FaultPlace> met = Meet(fault, surface, foot.S, foot.N);
+  LocalSurface surface(picks, weights, width);
+  const std::optional<FaultPlace> met = Meet(fault, surface, picks.Middle.S, picks.Middle.N);
   if (!met)
   {
     return std::nullopt;
   }
-  return WidthFit{ *met, options.Noise * std::sqrt(surface.VarianceAt(met->S, met->N)) };
+  surface.MeasureSpread(picks, weights);
+  CutoffPlace cutoff;
+  cutoff.Height = met->Z;
+  cutoff.Offset = met->N;
+  cutoff.Spread = noise * std::sqrt(surface.VarianceAt(*met));
+  return cutoff;
+}
+
+/// The widest of surfaces that meet the fault within the confidence of all narrower ones; nothing if none does.
+CutoffPlace FitWidths(const LocalPicks& picks, const FaultPlate& fault, double gap, const CutoffFitOptions& options)
+{
+  constexpr double most = 2.0, confidence = 2.0; // in units of the noise, and of the spread
+  const auto heights = picks.Products.col(LocalPicks::Powers);
+  const double lowest = picks.Middle.Z + heights.minCoeff(), highest = picks.Middle.Z + heights.maxCoeff();
+  double least = -std::numeric_limits<double>::infinity(), largest = -least;
+  CutoffPlace cutoff;
+  for (const double width : Widths)
+  {
+    const std::optional<CutoffPlace> fit = FitWidth(picks, fault, gap + width, options.Noise);
+    // A width with too few picks to average noise gives way to the next.
+    const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
+    // What leaves the heights of all picks far behind is no continuation of them.
+    const double reach = (2.0 + gap) * std::max(highest - lowest, options.Noise);
+    const bool isFar = fit && (fit->Height < lowest - reach || fit->Height > highest + reach);
+    if (!fit || isFar || (fit->Spread > most * options.Noise && !isLast))
+    {
+      continue;
+    }
+    least = std::max(least, fit->Height - confidence * fit->Spread);
+    largest = std::min(largest, fit->Height + confidence * fit->Spread);
+    if (least > largest)
+    {
+      break;
+    }
+    cutoff = *fit;
+    cutoff.Spread = std::max(fit->Spread, options.LeastSpread);
+    cutoff.Gap = gap;
+  }
+  return cutoff;
 }
 
 struct OuterSurface
@@ -209,20 +273,20 @@ public:
     for (const double along : { HalfWindow, 2.0 * HalfWindow, 4.0 * HalfWindow })
     {
       this->Gather(others, side, along);
-      if (this->HasOuter(-along, along) && this->HasOuter(-along, 0.5) && this->HasOuter(-0.5, along))
+      if (this->HasOuter(true))
       {
         this->KeepOuter();
         return;
       }
     }
-    if (this->HasOuter(-4.0 * HalfWindow, 4.0 * HalfWindow))
+    if (this->HasOuter(false))
     {
       this->Picks.clear(); // The horizon ends here: what is beside the fault cannot be compared.
       return;
     }
     // A narrow block has no picks farther away.
     this->Gather(others, side, HalfWindow);
-    while (this->Ring > options.DropDistance && !this->HasOuter(-HalfWindow, HalfWindow))
+    while (this->Ring > options.DropDistance && !this->HasOuter(false))
     {
       this->Ring -= 1.0;
     }
@@ -237,11 +301,11 @@ public:
   /// that are off by little of it follow the horizon where it bends, others the wrong side, or the fault.
   void KeepAgreeing(double shift);
 
-  CutoffPlace Fit() const;
+  CutoffPlace Fit();
 
 private:
   void Gather(const OtherFaults& others, const FaultSide& side, double along);
-  bool HasOuter(double from, double to) const;
+  bool HasOuter(bool isOnBothSides) const;
   void KeepOuter()
   {
     this->KeepOuter(Window, false);
@@ -292,33 +356,35 @@ void NearPicks::Gather(const OtherFaults& others, const FaultSide& side, double 
   this->Ring = std::max(this->Ring, std::floor(nearest->Distance / column));
 }
 
-/// Whether there are enough picks that are not doubtful, between two places along the fault in columns from the own one:
-/// over several columns, or on one side some.
-bool NearPicks::HasOuter(double from, double to) const
+/// Whether there are enough picks that are not doubtful: over several columns, and before and behind the place along the
+/// fault, if they have to be.
+bool NearPicks::HasOuter(bool isOnBothSides) const
 {
   constexpr double leastWidth = 3.0; // columns
   constexpr std::size_t fewestOnSide = 3;
-  const bool isWhole = from < -0.5 && to > 0.5;
   double largest = 0.0;
-  std::size_t count = 0;
+  std::size_t count = 0, before = 0, behind = 0;
   for (const NearPick& near : this->Picks)
   {
-    const double along = (near.Pick->Place.S - this->S) / this->Options.Row;
     const double away = near.Pick->Distance / this->Options.Column;
-    if (away >= this->Ring && along >= from && along <= to)
+    if (away >= this->Ring)
     {
+      const double along = (near.Pick->Place.S - this->S) / this->Options.Row;
       largest = std::max(largest, away);
       ++count;
+      before += along <= 0.5 ? 1 : 0;
+      behind += along >= -0.5 ? 1 : 0;
     }
   }
-  return isWhole ? count >= FewestPicks && largest >= this->Ring + leastWidth : count >= fewestOnSide;
+  return count >= FewestPicks && largest >= this->Ring + leastWidth &&
+    (!isOnBothSides || std::min(before, behind) >= fewestOnSide);
 }
 
 /// Finds a surface through most of the outer picks, by weights of the inverse distance, which strays do not move. Keeps
 /// the picks near it.
 void NearPicks::KeepOuter(double width, bool isPlane)
 {
-  const double column = this->Options.Column, row = this->Options.Row;
+  const double column = this->Options.Column;
   std::vector<NearPick*> window;
   double middle = 0.0;
   for (NearPick& near : this->Picks)
@@ -335,47 +401,39 @@ void NearPicks::KeepOuter(double width, bool isPlane)
     return;
   }
   middle /= double(window.size());
-  OuterSurface outer{ LocalSurface(this->S, middle, HalfWindow * row, HalfWindow * column, isPlane) };
-  std::vector<double> off(window.size(), 0.0);
+  const LocalPicks table(window, { this->S, middle, window.front()->Pick->Place.Z }, this->Options);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(table.Products.rows());
   constexpr int rounds = 8;
   constexpr double close = 0.02;
   constexpr double normal = 1.4826; // of the median of absolute values
   constexpr double least = 1e-3;
-  for (int round = 0; round < rounds; ++round)
+  double scatter = 0.0;
+  for (int round = 1;; ++round)
   {
-    LocalSurface next(this->S, middle, HalfWindow * row, HalfWindow * column, isPlane);
+    LocalSurface surface(table, weights, HalfWindow, isPlane);
+    const Eigen::VectorXd off = surface.Off(table);
+    std::vector<double> sorted(off.begin(), off.end());
+    const double before = std::exchange(scatter, normal * UpperMedian(sorted));
+    if (round < rounds && (round < 3 || std::abs(scatter - before) > close * scatter))
+    {
+      const Eigen::ArrayXd distance = off.array().max(std::max(this->Options.Noise, least * scatter));
+      weights = (distance > 0.0).select(distance.inverse(), 1.0);
+      continue;
+    }
+    const double deviation = std::hypot(scatter, this->Options.Noise);
     for (std::size_t n = 0; n < window.size(); ++n)
     {
-      const double distance = std::max({ off[n], this->Options.Noise, least * outer.Scatter });
-      next.Add(window[n]->Pick->Place, round > 0 && distance > 0.0 ? 1.0 / distance : 1.0);
+      this->Weigh(off[std::ptrdiff_t(n)], this->Options.DropNoise * deviation, *window[n]);
     }
-    next.Solve();
-    outer.Surface = next;
-    for (std::size_t n = 0; n < window.size(); ++n)
+    const double start = this->Fault.Offset(this->S, window.front()->Pick->Place.Z);
+    if (const std::optional<FaultPlace> foot = Meet(this->Fault, surface, this->S, start))
     {
-      const FaultPlace& place = window[n]->Pick->Place;
-      off[n] = std::abs(place.Z - next.At(place.S, place.N));
+      this->Heights.push_back(foot->Z);
     }
-    std::vector<double> sorted = off;
-    const double scatter = normal * UpperMedian(sorted);
-    const bool isDone = round > 1 && std::abs(scatter - outer.Scatter) <= close * scatter;
-    outer.Scatter = scatter;
-    if (isDone)
-    {
-      break;
-    }
+    surface.MeasureSpread(table, weights);
+    this->Outer.push_back({ surface, deviation });
+    return;
   }
-  outer.Scatter = std::hypot(outer.Scatter, this->Options.Noise);
-  for (std::size_t n = 0; n < window.size(); ++n)
-  {
-    this->Weigh(off[n], this->Options.DropNoise * outer.Scatter, *window[n]);
-  }
-  const double start = this->Fault.Offset(this->S, window.front()->Pick->Place.Z);
-  if (const std::optional<FaultPlace> foot = Meet(this->Fault, outer.Surface, this->S, start))
-  {
-    this->Heights.push_back(foot->Z);
-  }
-  this->Outer.push_back(outer);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -392,10 +450,17 @@ void NearPicks::KeepAgreeing(double shift)
       rings[away < this->Ring ? std::min(std::size_t(away), outermost - 1) : outermost].push_back(&near);
     }
   }
+  const auto middleOf = [](const std::vector<NearPick*>& ring, auto&& valueOf)
+  {
+    std::vector<double> values(ring.size());
+    std::transform(ring.begin(), ring.end(), values.begin(), valueOf);
+    return UpperMedian(values);
+  };
+  const auto nearness = [column](const NearPick* near) { return -near->Pick->Distance / column; };
   for (const OuterSurface& outer : this->Outer)
   {
     const auto offOf = [&outer](const NearPick* near)
-    { return near->Pick->Place.Z - outer.Surface.At(near->Pick->Place.S, near->Pick->Place.N); };
+    { return near->Pick->Place.Z - outer.Surface.HeightAt(near->Pick->Place); };
     // How far the horizon is from the surface, ring by ring: it may bend slowly, but what climbs does so at once.
     std::vector<double> bend(rings.size(), 0.0);
     bool isBend = true;
@@ -408,14 +473,8 @@ void NearPicks::KeepAgreeing(double shift)
       {
         continue;
       }
-      std::vector<double> off, nearness;
-      for (const NearPick* const near : rings[ring])
-      {
-        off.push_back(offOf(near));
-        nearness.push_back(-near->Pick->Distance / column);
-      }
-      bend[ring] = UpperMedian(off);
-      const double distance = -UpperMedian(nearness);
+      bend[ring] = middleOf(rings[ring], offOf);
+      const double distance = -middleOf(rings[ring], nearness);
       const double step = std::abs(bend[ring] - before);
       const double slow = Harmless * shift * std::max(1.0, last - distance);
       // What begins in the last column is no bend yet.
@@ -430,8 +489,8 @@ void NearPicks::KeepAgreeing(double shift)
       for (NearPick* const near : rings[ring])
       {
         const double most = std::max(0.5 * shift, this->Options.DropNoise * outer.Scatter);
-        const double noise = this->Options.DropNoise * outer.Scatter *
-          std::sqrt(1.0 + outer.Surface.VarianceAt(near->Pick->Place.S, near->Pick->Place.N));
+        const double noise =
+          this->Options.DropNoise * outer.Scatter * std::sqrt(1.0 + outer.Surface.VarianceAt(near->Pick->Place));
         const double limit = std::max(std::min(noise, most), isBend ? Harmless * shift : 0.0);
         this->Weigh(offOf(near) - (isBend ? bend[ring] : 0.0), limit, *near);
       }
@@ -440,29 +499,29 @@ void NearPicks::KeepAgreeing(double shift)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-CutoffPlace NearPicks::Fit() const
+CutoffPlace NearPicks::Fit()
 {
   const double column = this->Options.Column, row = this->Options.Row;
   const double infinity = std::numeric_limits<double>::infinity();
-  CutoffPlace cutoff;
-  cutoff.IsChecked = this->Ring >= LeastDoubtful;
   double gap = infinity, height = 0.0;
-  std::array<double, 2> along = { infinity, -infinity }, heights = { infinity, -infinity };
-  for (const NearPick& near : this->Picks)
+  std::array<double, 2> along = { infinity, -infinity };
+  std::vector<std::size_t> dropped;
+  std::vector<NearPick*> agreeing;
+  for (NearPick& near : this->Picks)
   {
     const SidePick& pick = *near.Pick;
     const bool isDoubtful = pick.Distance >= this->Options.DropDistance * column && pick.Distance <= Doubtful * column;
     if (near.Weight == 0.0 && isDoubtful && std::abs(pick.Place.S - this->S) <= 0.5 * row)
     {
-      cutoff.Dropped.push_back(pick.Number);
+      dropped.push_back(pick.Number);
     }
     if (near.Weight == 0.0)
     {
       continue;
     }
+    agreeing.push_back(&near);
     along = { std::min(along[0], pick.Place.S), std::max(along[1], pick.Place.S) };
-    heights = { std::min(heights[0], pick.Place.Z), std::max(heights[1], pick.Place.Z) };
-    const double away = std::hypot((pick.Place.S - this->S) / row, pick.Distance / column);
+    const double away = Eigen::Vector2d((pick.Place.S - this->S) / row, pick.Distance / column).norm();
     if (away < gap)
     {
       gap = away;
@@ -475,69 +534,40 @@ CutoffPlace NearPicks::Fit() const
     return CutoffPlace();
   }
   const FaultPlace foot = { this->S, this->Fault.Offset(this->S, height), height };
-  constexpr double most = 2.0, confidence = 2.0; // in units of the noise, and of the spread
-  double least = -infinity, largest = infinity;
-  for (const double width : Widths)
-  {
-    const std::optional<WidthFit> fit = FitWidth(this->Picks, this->Fault, foot, gap + width, this->Options);
-    // A width with too few picks to average noise gives way to the next.
-    const bool isLast = width == Widths.back() && std::isnan(cutoff.Height);
-    // What leaves the heights of all picks far behind is no continuation of them.
-    const double reach = (2.0 + gap) * std::max(heights[1] - heights[0], this->Options.Noise);
-    const bool isFar = fit && (fit->Foot.Z < heights[0] - reach || fit->Foot.Z > heights[1] + reach);
-    if (!fit || isFar || (fit->Spread > most * this->Options.Noise && !isLast))
-    {
-      continue;
-    }
-    least = std::max(least, fit->Foot.Z - confidence * fit->Spread);
-    largest = std::min(largest, fit->Foot.Z + confidence * fit->Spread);
-    if (least > largest)
-    {
-      break;
-    }
-    cutoff.Height = fit->Foot.Z;
-    cutoff.Offset = fit->Foot.N;
-    cutoff.Spread = std::max(fit->Spread, this->Options.LeastSpread);
-    cutoff.Gap = gap;
-  }
+  CutoffPlace cutoff = FitWidths({ agreeing, foot, this->Options }, this->Fault, gap, this->Options);
+  cutoff.IsChecked = this->Ring >= LeastDoubtful;
+  cutoff.Dropped = std::move(dropped);
   return cutoff;
 }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-FaultSide::FaultSide(double first, double last, double width)
+FaultSide::FaultSide(double first, double last, double width, const std::vector<std::vector<SidePick>>& parts)
   : First(first)
   , Width(width)
   , Strips(std::size_t(std::max(0.0, std::floor((last - first) / width))) + 1)
+  , Begins(this->Strips + 2, 0)
 {
+  const auto forEach = [&parts, this](auto&& visit)
+  {
+    for (const std::vector<SidePick>& part : parts)
+    {
+      for (const SidePick& pick : part)
+      {
+        visit(pick, this->StripOf(pick.Place.S));
+      }
+    }
+  };
+  forEach([this](const SidePick&, std::size_t strip) { ++this->Begins[strip + 2]; });
+  std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
+  this->Picks.resize(this->Begins.back());
+  forEach([this](const SidePick& pick, std::size_t strip) { this->Picks[this->Begins[strip + 1]++] = pick; });
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::size_t FaultSide::StripOf(double s) const
 {
-  return std::size_t(std::clamp(std::floor((s - this->First) / this->Width), 0.0, double(this->Strips - 1)));
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void FaultSide::Add(const SidePick& pick)
-{
-  this->Picks.push_back(pick);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-void FaultSide::Finish()
-{
-  std::stable_sort(this->Picks.begin(), this->Picks.end(),
-    [this](const SidePick& a, const SidePick& b) { return this->StripOf(a.Place.S) < this->StripOf(b.Place.S); });
-  this->Begins.assign(this->Strips + 1, this->Picks.size());
-  for (std::size_t n = this->Picks.size(); n-- > 0;)
-  {
-    this->Begins[this->StripOf(this->Picks[n].Place.S)] = n;
-  }
-  for (std::size_t strip = this->Strips; strip-- > 0;)
-  {
-    this->Begins[strip] = std::min(this->Begins[strip], this->Begins[strip + 1]);
-  }
+  return std::size_t(std::clamp((s - this->First) / this->Width, 0.0, double(this->Strips - 1)));
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -71,10 +71,8 @@ private:
 class FaultSide
 {
 public:
-  FaultSide(double first, double last, double width);
-
-  void Add(const SidePick& pick);
-  void Finish();
+  /// Strips of a width between two places along the fault. Picks of a strip stay in the order of their parts.
+  FaultSide(double first, double last, double width, const std::vector<std::vector<SidePick>>& parts);
 
   /// Calls visit(pick) for the picks between two places along the fault, in a fixed order.
   template <typename Visitor>

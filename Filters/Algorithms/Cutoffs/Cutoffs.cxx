@@ -17,41 +17,42 @@ namespace
 {
 constexpr double Reach = 16.0; // columns of picks that a place may use, beyond the largest gap
 
-std::array<FaultSide, 2> ListSides(
-  const FaultPlate& fault, const OtherFaults& others, const HorizonPicks& horizon, const CutoffFitOptions& options)
+std::array<FaultSide, 2> ListSides(const FaultPlate& fault, const OtherFaults& others, const HorizonPicks& horizon,
+  const CutoffFitOptions& options, const Monitor& monitor)
 {
-  const double column = options.Column, beyond = Reach * options.Row;
-  const FaultSide empty(fault.First() - beyond, fault.Last() + beyond, options.Row);
-  std::array<FaultSide, 2> sides = { empty, empty };
-  const double farthest = (Reach + options.LargestGap) * column;
-  const double around = beyond + farthest;
-  for (std::size_t number = 0; number < horizon.Places.size(); ++number)
-  {
-    const Eigen::Vector3d& world = horizon.Places[number];
-    if (fault.Box().exteriorDistance(world.head<2>()) > around)
+  const double beyond = Reach * options.Row, farthest = (Reach + options.LargestGap) * options.Column;
+  const double first = fault.First() - beyond, last = fault.Last() + beyond;
+  const std::size_t size = horizon.Places.size(), part = std::size_t(Grain);
+  std::vector<std::vector<SidePick>> empty((size + part - 1) / part);
+  std::array<std::vector<std::vector<SidePick>>, 2> sides = { empty, empty };
+  ParallelFor(std::int64_t(empty.size()), 1, monitor,
+    [&](std::int64_t from, std::int64_t to)
     {
-      continue;
-    }
-    SidePick pick;
-    pick.Number = number;
-    pick.Place = fault.ToPlace(world);
-    if (pick.Place.S < fault.First() - beyond || pick.Place.S > fault.Last() + beyond)
-    {
-      continue;
-    }
-    const double distance = fault.Distance(pick.Place);
-    pick.Distance = std::abs(distance);
-    if (pick.Distance <= farthest)
-    {
-      others.Mark(world, pick);
-      sides[distance > 0.0 ? HangingWall : Footwall].Add(pick);
-    }
-  }
-  for (FaultSide& side : sides)
-  {
-    side.Finish();
-  }
-  return sides;
+      for (std::size_t number = std::size_t(from) * part; number < std::min(std::size_t(to) * part, size); ++number)
+      {
+        const Eigen::Vector3d& world = horizon.Places[number];
+        if (fault.Box().squaredExteriorDistance(world.head<2>()) > std::pow(beyond + farthest, 2))
+        {
+          continue;
+        }
+        SidePick pick;
+        pick.Number = number;
+        pick.Place = fault.ToPlace(world);
+        if (pick.Place.S < first || pick.Place.S > last)
+        {
+          continue;
+        }
+        const double distance = fault.Distance(pick.Place);
+        pick.Distance = std::abs(distance);
+        if (pick.Distance <= farthest)
+        {
+          others.Mark(world, pick);
+          sides[distance > 0.0 ? HangingWall : Footwall][number / part].push_back(pick);
+        }
+      }
+    });
+  return { FaultSide(first, last, options.Row, sides[Footwall]),
+    FaultSide(first, last, options.Row, sides[HangingWall]) };
 }
 
 bool IsKnown(const CutoffPair& pair)
@@ -252,8 +253,7 @@ HorizonCutoffs FindCutoffs(const FaultPlate& fault, const std::vector<const Faul
   options.DropDistance = std::max(options.DropDistance, across * horizon.Noise * fault.Lean() / options.Column);
   options.LeastSpread = horizon.IsRounded ? horizon.Noise : 0.0;
   const OtherFaults others(fault, faults, margin * options.Row, (Reach + options.LargestGap) * options.Column);
-  const std::array<FaultSide, 2> sides = ListSides(fault, others, horizon, options);
-  monitor.Progress(0.2);
+  const std::array<FaultSide, 2> sides = ListSides(fault, others, horizon, options, monitor.Step(0.0, 0.2));
   return CutoffFinder(fault, others, sides, options, leastLength).Find(monitor.Step(0.2, 1.0));
 }
 

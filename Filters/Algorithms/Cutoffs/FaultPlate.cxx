@@ -4,6 +4,7 @@
 #include "FaultPlate.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/ConvexHull.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 
 #include <Eigen/Eigenvalues>
@@ -27,51 +28,29 @@ constexpr std::size_t MostNodes = 9000; // less than what needs a multigrid
 /// The convex line around the ends of segments, seen across strike.
 std::vector<std::array<FaultPlace, 2>> HullOf(const std::vector<std::array<FaultPlace, 2>>& segments)
 {
-  std::vector<FaultPlace> places;
+  std::vector<Eigen::Vector2d> places;
   for (const auto& [from, to] : segments)
   {
-    places.push_back(from);
-    places.push_back(to);
+    places.emplace_back(from.S, from.Z);
+    places.emplace_back(to.S, to.Z);
   }
-  std::sort(places.begin(), places.end(),
-    [](const FaultPlace& a, const FaultPlace& b) { return a.S != b.S ? a.S < b.S : a.Z < b.Z; });
-  const auto isLeft = [](const FaultPlace& a, const FaultPlace& b, const FaultPlace& c)
-  { return (b.S - a.S) * (c.Z - a.Z) > (b.Z - a.Z) * (c.S - a.S); };
+  const std::vector<Eigen::Vector2d> corners = FindHull(std::move(places));
   std::vector<std::array<FaultPlace, 2>> hull;
-  for (int half = 0; half < 2; ++half)
+  for (std::size_t n = 0; n < corners.size(); ++n)
   {
-    std::vector<FaultPlace> chain;
-    for (const FaultPlace& place : places)
-    {
-      while (chain.size() > 1 && !isLeft(chain[chain.size() - 2], chain.back(), place))
-      {
-        chain.pop_back();
-      }
-      chain.push_back(place);
-    }
-    for (std::size_t n = 1; n < chain.size(); ++n)
-    {
-      hull.push_back({ chain[n - 1], chain[n] });
-    }
-    std::reverse(places.begin(), places.end());
+    const Eigen::Vector2d &from = corners[n], &to = corners[(n + 1) % corners.size()];
+    hull.push_back({ { { from.x(), 0.0, from.y() }, { to.x(), 0.0, to.y() } } });
   }
   return hull;
 }
 }
 
-/// Nodes around a place: the first one, and the parts of all four.
-struct FaultPlate::Square
-{
-  std::size_t X;
-  std::size_t Y;
-  std::array<PlateTerm, 4> Corners;
-};
-
 //----------------------------------------------------------------------------------------------------------------------
-std::size_t FaultPlate::Axis::Interval(double value) const
+std::pair<std::size_t, double> FaultPlate::Axis::Find(double value) const
 {
-  const double n = std::floor((value - this->First) / this->Step);
-  return std::size_t(std::clamp(n, 0.0, double(this->Size - 2)));
+  const double n = (value - this->First) / this->Step;
+  const auto interval = std::size_t(std::clamp(n, 0.0, double(this->Size - 2)));
+  return { interval, n - double(interval) };
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -265,12 +244,15 @@ void FaultPlate::Fit(const Segments& segments, const Monitor& monitor)
       const double part = steps > 0.0 ? n / steps : 0.0;
       const double s = from.S + part * (to.S - from.S), z = from.Z + part * (to.Z - from.Z);
       const double offset = from.N + part * (to.N - from.N) - this->Plane.dot(Eigen::Vector2d(s, z));
-      const Square square = this->SquareAt(s, z);
-      const std::int64_t node = system.Sites.Near->Find({ std::int32_t(square.X), std::int32_t(square.Y) });
-      AddSquare(system, node, square.Corners, SpringsPerBend);
-      for (const PlateTerm& corner : square.Corners)
+      const auto [x, a] = this->Grid[0].Find(s);
+      const auto [y, b] = this->Grid[1].Find(z);
+      const std::array<PlateTerm, 4> corners = { { { 0, 0, (1.0 - a) * (1.0 - b) }, { 1, 0, a * (1.0 - b) },
+        { 0, 1, (1.0 - a) * b }, { 1, 1, a * b } } };
+      AddSquare(system, system.Sites.Near->Find({ std::int32_t(x), std::int32_t(y) }), corners, SpringsPerBend);
+      for (const PlateTerm& corner : corners)
       {
-        this->Values[this->NodeOf(square, corner)] += SpringsPerBend * corner.Coefficient * offset;
+        this->Values[(y + std::size_t(corner.Y)) * this->Grid[0].Size + x + std::size_t(corner.X)] +=
+          SpringsPerBend * corner.Coefficient * offset;
       }
     }
   }
@@ -339,30 +321,14 @@ Eigen::Vector3d FaultPlate::ToWorld(const FaultPlace& place) const
 
 //----------------------------------------------------------------------------------------------------------------------
 // Beyond the nodes the outermost squares continue.
-FaultPlate::Square FaultPlate::SquareAt(double s, double z) const
-{
-  const std::size_t x = this->Grid[0].Interval(s), y = this->Grid[1].Interval(z);
-  const double a = (s - this->Grid[0].At(x)) / this->Grid[0].Step, b = (z - this->Grid[1].At(y)) / this->Grid[1].Step;
-  return { x, y,
-    { { { 0, 0, (1.0 - a) * (1.0 - b) }, { 1, 0, a * (1.0 - b) }, { 0, 1, (1.0 - a) * b }, { 1, 1, a * b } } } };
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::size_t FaultPlate::NodeOf(const Square& square, const PlateTerm& corner) const
-{
-  return (square.Y + std::size_t(corner.Y)) * this->Grid[0].Size + square.X + std::size_t(corner.X);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
 double FaultPlate::Offset(double s, double z) const
 {
-  const Square square = this->SquareAt(s, z);
-  double offset = this->Plane.dot(Eigen::Vector2d(s, z));
-  for (const PlateTerm& corner : square.Corners)
-  {
-    offset += corner.Coefficient * this->Values[this->NodeOf(square, corner)];
-  }
-  return offset;
+  const auto [x, a] = this->Grid[0].Find(s);
+  const auto [y, b] = this->Grid[1].Find(z);
+  const double* const low = &this->Values[y * this->Grid[0].Size + x];
+  const double* const high = low + this->Grid[0].Size;
+  return this->Plane.x() * s + this->Plane.y() * z + (1.0 - b) * ((1.0 - a) * low[0] + a * low[1]) +
+    b * ((1.0 - a) * high[0] + a * high[1]);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -22,12 +22,11 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
 {
-struct PlateTerm;
-
 /// What is known of a fault: sticks, edges of a surface, or traces on horizons, piece by piece.
 struct FaultPicks
 {
@@ -107,8 +106,9 @@ private:
     std::size_t Size = 2;
 
     double At(std::size_t n) const { return this->First + double(n) * this->Step; }
-    /// Outside it is the first or last interval.
-    std::size_t Interval(double value) const;
+    /// The interval of a value, and which part of it is before the value. Outside it is the first or last interval.
+    std::pair<std::size_t, double> Find(double value) const;
+    std::size_t Interval(double value) const { return this->Find(value).first; }
   };
 
   using Segments = std::vector<std::array<FaultPlace, 2>>;
@@ -118,10 +118,6 @@ private:
   void FindExtent(const Segments& segments, double margin);
   void Fit(const Segments& segments, const Monitor& monitor);
   Eigen::Vector2d Gradient(double s, double z) const;
-
-  struct Square;
-  Square SquareAt(double s, double z) const;
-  std::size_t NodeOf(const Square& square, const PlateTerm& corner) const;
 
   std::string OwnName;
   bool IsDipKnown;

@@ -3,7 +3,8 @@
 
 #include "Arrangement.h"
 
-#include "TriangleGrid.h"
+#include "BoxTree.h"
+#include "Common/Base/Parallel.h"
 #include "TriangleSplitter.h"
 
 #include <Eigen/Geometry>
@@ -43,7 +44,7 @@ struct TriangleView
 class Arranger
 {
 public:
-  Arranger(const std::vector<Sheet>& sheets, double size)
+  explicit Arranger(const std::vector<Sheet>& sheets)
     : Sheets(sheets)
   {
     for (std::size_t n = 0; n < sheets.size(); ++n)
@@ -60,11 +61,12 @@ public:
     this->CutsOf.resize(this->Triangles.size());
     for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet)
     {
-      this->Grids.emplace_back(size);
+      std::vector<BoxTree::Entry> entries;
       for (SealId n = this->Begins[sheet]; n < this->Begins[sheet + 1]; ++n)
       {
-        this->Grids[sheet].Add(n, this->BoxOf(n));
+        entries.push_back({ n, this->BoxOf(n) });
       }
+      this->Trees.emplace_back(entries);
     }
     constexpr double rounding = 1e-14;
     for (const Eigen::Vector3d& vertex : this->Result.Vertices)
@@ -81,7 +83,7 @@ public:
     }
     for (SealId n = this->Begins[b]; n < this->Begins[b + 1]; ++n)
     {
-      this->Grids[a].Any(this->BoxOf(n),
+      this->Trees[a].Any(this->BoxOf(n),
         [&](SealId triangle)
         {
           this->Meet(triangle, n);
@@ -94,9 +96,30 @@ public:
   {
     this->FindTriples();
     this->SortEdges();
-    for (std::size_t n = 0; n < this->Triangles.size(); ++n)
+    for (std::size_t n = 0; n < this->Cuts.size(); ++n)
     {
-      this->Divide(SealId(n));
+      const std::vector<SealId> chain = this->ChainOf(SealId(n));
+      for (std::size_t next = 1; next < chain.size(); ++next)
+      {
+        this->Result.Lines.insert(KeyOf(chain[next - 1], chain[next]));
+      }
+    }
+    constexpr std::int64_t grain = 64;
+    std::vector<std::vector<SheetCorners>> parts(this->Triangles.size());
+    ParallelFor(std::int64_t(parts.size()), grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          parts[std::size_t(n)] = this->Divide(SealId(n));
+        }
+      });
+    for (std::size_t n = 0; n < parts.size(); ++n)
+    {
+      for (const SheetCorners& corners : parts[n])
+      {
+        this->Result.Triangles.push_back({ corners, this->Triangles[n].Sheet });
+      }
     }
     return std::move(this->Result);
   }
@@ -351,10 +374,9 @@ private:
     }
   }
 
-  void Divide(SealId triangle)
+  std::vector<SheetCorners> Divide(SealId triangle) const
   {
-    const ArrangedTriangle& whole = this->Triangles[std::size_t(triangle)];
-    const SheetCorners& corners = whole.Corners;
+    const SheetCorners& corners = this->Triangles[std::size_t(triangle)].Corners;
     std::array<const std::vector<CutEdge>*, 3> onEdges = { nullptr, nullptr, nullptr };
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
@@ -363,8 +385,7 @@ private:
     }
     if (this->CutsOf[std::size_t(triangle)].empty() && !onEdges[0] && !onEdges[1] && !onEdges[2])
     {
-      this->Result.Triangles.push_back(whole);
-      return;
+      return { corners };
     }
     const TriangleView view = this->ViewOf(triangle);
     TriangleSplitter splitter(
@@ -401,11 +422,12 @@ private:
       }
     }
     this->Connect(triangle, points, splitter);
-    for (const TriangleSplitter::Corners& part : splitter.Finish())
+    std::vector<SheetCorners> parts;
+    for (const auto& [a, b, c] : splitter.Finish())
     {
-      const auto vertexOf = [&](std::size_t corner) { return vertices[std::size_t(part[corner])]; };
-      this->Result.Triangles.push_back({ { vertexOf(0), vertexOf(1), vertexOf(2) }, whole.Sheet });
+      parts.push_back({ vertices[std::size_t(a)], vertices[std::size_t(b)], vertices[std::size_t(c)] });
     }
+    return parts;
   }
 
   std::vector<SealId> ChainOf(SealId number) const
@@ -420,14 +442,13 @@ private:
     return chain;
   }
 
-  void Connect(SealId triangle, const std::unordered_map<SealId, int>& points, TriangleSplitter& splitter)
+  void Connect(SealId triangle, const std::unordered_map<SealId, int>& points, TriangleSplitter& splitter) const
   {
     for (const SealId number : this->CutsOf[std::size_t(triangle)])
     {
       const std::vector<SealId> chain = this->ChainOf(number);
       for (std::size_t n = 1; n < chain.size(); ++n)
       {
-        this->Result.Lines.insert(KeyOf(chain[n - 1], chain[n]));
         if (!splitter.Connect(points.at(chain[n - 1]), points.at(chain[n])))
         {
           throw Undecided{ this->At(chain[n]) };
@@ -449,7 +470,7 @@ private:
   Arrangement Result;
   std::vector<ArrangedTriangle> Triangles;
   std::vector<SealId> Begins; // the first triangle of a sheet
-  std::vector<TriangleGrid> Grids; // by sheet
+  std::vector<BoxTree> Trees; // by sheet
   std::vector<SheetCut> Cuts;
   std::vector<std::vector<SealId>> CutsOf; // by triangle
   std::unordered_map<std::pair<EdgeKey, SealId>, SealId, PairHash> Pierced;
@@ -460,9 +481,9 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 Arrangement Arrange(
-  const std::vector<Sheet>& sheets, const std::vector<std::pair<int, int>>& pairs, double size, const Monitor& monitor)
+  const std::vector<Sheet>& sheets, const std::vector<std::pair<int, int>>& pairs, const Monitor& monitor)
 {
-  Arranger arranger(sheets, size);
+  Arranger arranger(sheets);
   for (std::size_t n = 0; n < pairs.size(); ++n)
   {
     monitor.Progress(double(n) / double(pairs.size()));

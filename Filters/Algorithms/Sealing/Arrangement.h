@@ -53,9 +53,9 @@ struct Arrangement
   std::unordered_set<EdgeKey> Lines; // edges where sheets meet
 };
 
-/// The sheets of a pair are cut along their lines. `size` is that of small triangles. Throws Undecided.
-Arrangement Arrange(const std::vector<Sheet>& sheets, const std::vector<std::pair<int, int>>& pairs, double size,
-  const Monitor& monitor = Monitor());
+/// The sheets of a pair are cut along their lines. Throws Undecided.
+Arrangement Arrange(
+  const std::vector<Sheet>& sheets, const std::vector<std::pair<int, int>>& pairs, const Monitor& monitor = Monitor());
 }
 
 #endif

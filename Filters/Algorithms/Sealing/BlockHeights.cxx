@@ -15,12 +15,12 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace SeismicHorizons
 {
 namespace
 {
-constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t NoBlock = -1;
 constexpr double Beyond = 4.0; // columns that heights are continued beyond faults
 constexpr int Around = 4; // columns kept around a block
@@ -32,27 +32,7 @@ constexpr double BeyondSteps = 5.3; // columns that it goes on; no whole number,
 constexpr std::size_t FewestOfBlock = 6; // of a block that follows them
 constexpr double LeastNew = 0.01; // of the nodes of a continuation, for another one
 constexpr int Rim = 6; // columns of picks that the continuation follows
-constexpr std::int32_t FirstWidening = 16; // columns that a window grows by; four times as many each time
-
-double MeanOf(const std::vector<double>& known)
-{
-  double sum = 0.0, count = 0.0;
-  for (const double value : known)
-  {
-    sum += std::isfinite(value) ? value : 0.0;
-    count += std::isfinite(value) ? 1.0 : 0.0;
-  }
-  return sum / std::max(count, 1.0);
-}
-
-/// The box of the model and some columns around it.
-BlockWindow WindowOf(const SealingInput& input, std::int32_t margin)
-{
-  BlockWindow box;
-  box.Least = { input.Least.X - margin, input.Least.Y - margin };
-  box.Greatest = { input.Greatest.X + margin, input.Greatest.Y + margin };
-  return box;
-}
+constexpr std::int32_t FirstWidening = 64; // columns that a window grows by; four times as many each time
 
 /// Visits the neighbours of a node in a window.
 template <typename Visitor>
@@ -111,7 +91,7 @@ public:
   const BlockWindow& Everywhere() const { return this->All; }
   bool IsInWalls(const PlanePoint& column) const
   {
-    return WindowOf(this->Input, 0).Contains(column) &&
+    return WindowOf(this->Input).Contains(column) &&
       (this->Input.Outline.empty() || SeismicHorizons::IsInside(this->Corners, this->PlaceOf(column, 0.0).head<2>()));
   }
 
@@ -126,7 +106,7 @@ public:
           blocks[n].IsGuessed = blocks[n].Known < FewestOfBlock;
           if (!blocks[n].IsGuessed)
           {
-            this->Fill({}, 0.0, blocks[n], Monitor());
+            this->Fill({}, 0.0, blocks[n]);
           }
         }
       });
@@ -163,7 +143,7 @@ public:
       }
       if (!others.empty())
       {
-        this->Fill(others, apart, blocks[n], Monitor());
+        this->Fill(others, apart, blocks[n]);
       }
     }
   }
@@ -183,22 +163,24 @@ public:
       }
       this->Widen(block, around);
     }
-    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
+    for (const unsigned char node : block.Nodes)
     {
-      const bool isThere = this->IsInBox(block, node);
-      block.IsInBox = block.IsInBox || isThere;
-      account.Columns += isThere ? 1 : 0;
-      account.Continued += isThere && (block.Nodes[node] & HasPick) == 0 ? 1 : 0;
+      account.Columns += (node & IsThere) != 0 ? 1 : 0;
+      account.Continued += (node & (IsThere | HasPick)) == IsThere ? 1 : 0;
+      block.IsInBox = block.IsInBox || (node & IsThere) != 0;
     }
-    this->Crop(block);
+    if (const BlockWindow meshed = WindowOfMeshed(block);
+        !meshed.IsEmpty()) // Otherwise the horizon is above or below all of its block, which far heights tell.
+    {
+      Move(block, meshed);
+    }
   }
 
 private:
   static constexpr std::int32_t Margin = 4; // columns around the box
 
   /// Continues the picks of a block over it, in a window that grows until it holds the block.
-  void Fill(
-    const std::vector<const BlockHeights*>& others, double apart, BlockHeights& block, const Monitor& monitor) const
+  void Fill(const std::vector<const BlockHeights*>& others, double apart, BlockHeights& block) const
   {
     for (std::int32_t around = FirstWidening;; around *= 4)
     {
@@ -206,7 +188,7 @@ private:
       {
         this->Share(*other, *this->FaultBetween(*other, block), apart, block);
       }
-      if (this->FillWindow(block, monitor))
+      if (this->FillWindow(block))
       {
         return;
       }
@@ -237,19 +219,19 @@ private:
     return { this->Input.Step.x() * column.X, this->Input.Step.y() * column.Y, height };
   }
 
-  bool IsInside(const BlockHeights& block, std::size_t node, double height, double margin) const
+  /// How far a place of a block is from the nearest of its faults, in columns; negative beyond one, where any may be told.
+  double InsideOf(const BlockHeights& block, const PlanePoint& column, double height) const
   {
-    const Eigen::Vector3d place = this->PlaceOf(block.Window.ColumnOf(node), height);
-    for (std::size_t fault = block.Sides.size(); fault-- > 0;) // The last ones bound the block.
+    const Eigen::Vector3d place = this->PlaceOf(column, height);
+    double inside = std::numeric_limits<double>::infinity();
+    for (std::size_t fault = block.Sides.size();
+         fault-- > 0 && inside >= -Beyond * this->Column;) // The last ones bound it.
     {
       const FaultPlate& plate = this->Input.Faults[fault].Plate;
       const int side = block.Sides[fault];
-      if (side != 0 && side * plate.Distance(plate.ToPlace(place)) < -margin * this->Column)
-      {
-        return false;
-      }
+      inside = side != 0 ? std::min(inside, side * plate.Distance(plate.ToPlace(place))) : inside;
     }
-    return true;
+    return inside / this->Column;
   }
 
   /// Where a place is on the fault between two blocks, if it is up to `most` behind it for the first one, beyond its tips, and
@@ -273,24 +255,6 @@ private:
     return isThere ? std::optional<FaultPlace>(at) : std::nullopt;
   }
 
-  bool HasPicksNear(const BlockHeights& block, const PlanePoint& column, std::int32_t columns) const
-  {
-    BlockWindow around;
-    around.Add(column);
-    around = around.Grown(columns, this->All);
-    for (PlanePoint at = around.Least; at.Y <= around.Greatest.Y; ++at.Y)
-    {
-      for (at.X = around.Least.X; at.X <= around.Greatest.X; ++at.X)
-      {
-        if (block.Has(at, HasPick))
-        {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
   void AddSteps(const BlockHeights& a, const BlockHeights& b, std::size_t between, double apart,
     std::vector<StepPlace>& steps) const
   {
@@ -311,7 +275,7 @@ private:
       const double heave = fault.Plate.Lean() * std::abs(a.Heights[node] - height) / this->Column;
       const auto near = std::int32_t(around + std::min(heave, MostHeave));
       const bool isClear = std::abs(a.Heights[node] - height) > clear * apart;
-      if (at && this->HasPicksNear(a, column, near) && this->HasPicksNear(b, column, near) &&
+      if (at && a.HasPickNear(column, near) && b.HasPickNear(column, near) &&
         (isClear || DistanceToLine(fault.TipLoop, { at->S, at->Z }) > beyond * this->Column))
       {
         const bool isHighest = a.Horizon == 0, isLowest = a.Horizon + 1 == this->Input.Horizons.size();
@@ -334,8 +298,7 @@ private:
       const double height = other.HeightNear(column);
       const bool isBehind =
         this->FindBehind(block, other, between, this->PlaceOf(column, height), Beyond * this->Column).has_value();
-      if (isBehind &&
-        (std::abs(height - block.Heights[node]) <= apart || !this->HasPicksNear(block, column, 2 * int(Beyond))))
+      if (isBehind && (std::abs(height - block.Heights[node]) <= apart || !block.HasPickNear(column, 2 * int(Beyond))))
       {
         block.Nodes[node] = IsShared;
         block.Heights[node] = height;
@@ -343,21 +306,13 @@ private:
     }
   }
 
-  bool IsInBox(const BlockHeights& block, std::size_t node) const
-  {
-    return (block.Nodes[node] & IsMeshed) != 0 && this->IsInWalls(block.Window.ColumnOf(node)) &&
-      this->IsInside(block, node, block.Heights[node], 0.0);
-  }
-
   /// Whether the window ends there, but not the lattice.
-  bool IsEdge(const BlockWindow& window, std::size_t node) const
+  bool IsEdge(const BlockWindow& window, const PlanePoint& column) const
   {
-    const PlanePoint column = window.ColumnOf(node);
-    const BlockWindow around = window.Grown(1, this->All);
-    return (column.X == window.Least.X && around.Least.X < column.X) ||
-      (column.Y == window.Least.Y && around.Least.Y < column.Y) ||
-      (column.X == window.Greatest.X && around.Greatest.X > column.X) ||
-      (column.Y == window.Greatest.Y && around.Greatest.Y > column.Y);
+    return (column.X == window.Least.X && column.X > this->All.Least.X) ||
+      (column.Y == window.Least.Y && column.Y > this->All.Least.Y) ||
+      (column.X == window.Greatest.X && column.X < this->All.Greatest.X) ||
+      (column.Y == window.Greatest.Y && column.Y < this->All.Greatest.Y);
   }
 
   /// The same block in another window. New nodes have the nearest height.
@@ -365,12 +320,12 @@ private:
   {
     std::vector<double> heights(window.Size());
     std::vector<unsigned char> nodes(window.Size(), 0);
-    for (std::size_t node = 0; node < heights.size(); ++node)
-    {
-      const PlanePoint column = window.ColumnOf(node);
-      heights[node] = block.HeightNear(column);
-      nodes[node] = block.Window.Contains(column) ? block.Nodes[block.Window.NodeOf(column)] : 0;
-    }
+    window.ForEach(
+      [&](const PlanePoint& column, std::size_t node)
+      {
+        heights[node] = block.HeightNear(column);
+        nodes[node] = block.Window.Contains(column) ? block.Nodes[block.Window.NodeOf(column)] : 0;
+      });
     block.Heights = std::move(heights);
     block.Nodes = std::move(nodes);
     block.Window = window;
@@ -378,30 +333,28 @@ private:
 
   void Widen(BlockHeights& block, std::int32_t columns) const { Move(block, block.Window.Grown(columns, this->All)); }
 
-  static void Crop(BlockHeights& block)
+  static BlockWindow WindowOfMeshed(const BlockHeights& block)
   {
     BlockWindow meshed;
-    for (std::size_t node = 0; node < block.Nodes.size(); ++node)
-    {
-      if ((block.Nodes[node] & IsMeshed) != 0)
+    block.Window.ForEach(
+      [&](const PlanePoint& column, std::size_t node)
       {
-        meshed.Add(block.Window.ColumnOf(node));
-      }
-    }
-    if (!meshed.IsEmpty()) // Otherwise the horizon is above or below all of its block, which far heights tell.
-    {
-      Move(block, meshed);
-    }
+        if ((block.Nodes[node] & IsMeshed) != 0)
+        {
+          meshed.Add(column);
+        }
+      });
+    return meshed;
   }
 
   /// Step by step from picks, since how far the block reaches depends on the heights. Columns around the box, which are cut
   /// off, have the nearest height. False if the window is too small.
-  bool FillWindow(BlockHeights& block, const Monitor& monitor) const
+  bool FillWindow(BlockHeights& block) const
   {
-    std::vector<double> known(block.Heights.size(), NotKnown);
+    std::vector<double> known(block.Heights.size(), NoValue);
     for (std::size_t node = 0; node < known.size(); ++node)
     {
-      known[node] = (block.Nodes[node] & (HasPick | IsShared)) != 0 ? block.Heights[node] : NotKnown;
+      known[node] = (block.Nodes[node] & (HasPick | IsShared)) != 0 ? block.Heights[node] : NoValue;
     }
     std::vector<double> heights = known;
     std::vector<std::size_t> sites;
@@ -415,11 +368,12 @@ private:
       Spread(block.Window, heights,
         [&](std::size_t node, double height)
         {
-          const bool isInside =
-            box.Contains(block.Window.ColumnOf(node)) && this->IsInside(block, node, height, Beyond);
+          const PlanePoint column = block.Window.ColumnOf(node);
+          const double inside = box.Contains(column) ? this->InsideOf(block, column, height) : -2.0 * Beyond;
+          const bool isInside = inside >= -Beyond;
           sites.insert(sites.end(), isInside ? 1 : 0, node);
-          isCutOff = isCutOff || (isInside && this->IsEdge(block.Window, node));
-          near += isInside && this->IsInside(block, node, height, 0.5 * Beyond) ? 1 : 0;
+          isCutOff = isCutOff || (isInside && this->IsEdge(block.Window, column));
+          near += inside >= -0.5 * Beyond ? 1 : 0;
           return isInside;
         });
       if (isCutOff)
@@ -432,7 +386,7 @@ private:
         break;
       }
       std::sort(sites.begin(), sites.end());
-      heights = this->Solve(block.Window, known, sites, monitor);
+      heights = Solve(block.Window, known, sites);
     }
     Spread(block.Window, heights, [](std::size_t, double) { return true; });
     block.Heights = std::move(heights);
@@ -475,16 +429,14 @@ private:
     {
       BlockWindow own;
       own.Add(window.ColumnOf(site));
-      const BlockWindow rim = own.Grown(Rim, window);
       isSite[site] = 1;
-      for (PlanePoint column = rim.Least; column.Y <= rim.Greatest.Y; ++column.Y)
-      {
-        for (column.X = rim.Least.X; column.X <= rim.Greatest.X; ++column.X)
-        {
-          const std::size_t node = window.NodeOf(column);
-          isSite[node] = isSite[node] != 0 || std::isfinite(known[node]) ? 1 : 0;
-        }
-      }
+      own.Grown(Rim, window)
+        .ForEach(
+          [&](const PlanePoint& column, std::size_t)
+          {
+            const std::size_t node = window.NodeOf(column);
+            isSite[node] = isSite[node] != 0 || std::isfinite(known[node]) ? 1 : 0;
+          });
     }
     std::vector<BoxRun> runs;
     for (std::size_t node = 0; node < isSite.size(); ++node)
@@ -504,8 +456,8 @@ private:
 
   /// A plate through the sites, held by springs at known heights around them. A weak membrane keeps it near them far
   /// away.
-  static std::vector<double> Solve(const BlockWindow& window, const std::vector<double>& known,
-    const std::vector<std::size_t>& sites, const Monitor& monitor)
+  static std::vector<double> Solve(
+    const BlockWindow& window, const std::vector<double>& known, const std::vector<std::size_t>& sites)
   {
     SiteSystem<2> system(SiteBox::Fill(RunsAround(window, sites, known)));
     const BoxPlaces& near = *system.Sites.Near;
@@ -517,7 +469,7 @@ private:
     static constexpr std::array<PlateTerm, 2> alongX = { { { 0, 0, -1.0 }, { 1, 0, 1.0 } } };
     static constexpr std::array<PlateTerm, 2> alongY = { { { 0, 0, -1.0 }, { 0, 1, 1.0 } } };
     constexpr double tension = 1e-6, spring = 1.0, hold = 1e-12;
-    const double datum = MeanOf(known);
+    const double datum = *std::find_if(known.begin(), known.end(), [](double height) { return std::isfinite(height); });
     const auto nodeOf = [&](std::size_t site)
     {
       const PlanePoint column = near.Column(system.Sites.Place[site]);
@@ -539,7 +491,7 @@ private:
       system.Matrix[site][StencilMatrix<2>::Centre] += std::isfinite(value) ? spring : hold;
       values[site] = std::isfinite(value) ? spring * (value - datum) : 0.0;
     }
-    MakeSiteSolver<2>(system)->Solve(values, monitor);
+    MakeSiteSolver<2>(system)->Solve(values, Monitor());
     std::vector<double> heights = known;
     for (std::size_t site = 0; site < values.size(); ++site)
     {
@@ -587,34 +539,34 @@ private:
       {
         for (auto node = std::size_t(first); node < std::size_t(last); ++node)
         {
-          const bool isMeshed = this->IsInside(block, node, block.Heights[node], 1.0);
-          block.Nodes[node] = (block.Nodes[node] & HasPick) | (isMeshed ? IsMeshed : 0);
+          const PlanePoint column = block.Window.ColumnOf(node);
+          const double inside = this->InsideOf(block, column, block.Heights[node]);
+          const bool isThere = inside >= 0.0 && this->IsInWalls(column);
+          block.Nodes[node] = (block.Nodes[node] & HasPick) | (inside >= -1.0 ? IsMeshed : 0) | (isThere ? IsThere : 0);
         }
       });
-    for (int step = 0; step < Around; ++step)
+    std::vector<std::size_t> front, next; // nodes beside those that are meshed
+    const auto addBeside = [&](std::size_t node)
     {
-      std::vector<std::size_t> beside;
-      for (std::size_t node = 0; node < block.Nodes.size(); ++node)
-      {
-        if ((block.Nodes[node] & IsMeshed) != 0)
-        {
-          ForEachBeside(block.Window, node,
-            [&](std::size_t other) { beside.insert(beside.end(), block.Nodes[other] & IsMeshed ? 0 : 1, other); });
-        }
-      }
-      for (const std::size_t node : beside)
-      {
-        block.Nodes[node] |= IsMeshed;
-      }
-    }
+      ForEachBeside(block.Window, node,
+        [&](std::size_t other) { next.insert(next.end(), (block.Nodes[other] & IsMeshed) != 0 ? 0 : 1, other); });
+    };
     for (std::size_t node = 0; node < block.Nodes.size(); ++node)
     {
-      if ((block.Nodes[node] & IsMeshed) != 0 && this->IsEdge(block.Window, node))
+      if ((block.Nodes[node] & IsMeshed) != 0)
       {
-        return false;
+        addBeside(node);
       }
     }
-    return true;
+    for (int step = 0; step < Around; ++step)
+    {
+      front = std::exchange(next, {});
+      std::for_each(front.begin(), front.end(), [&](std::size_t node) { block.Nodes[node] |= IsMeshed; });
+      std::for_each(front.begin(), front.end(), addBeside);
+    }
+    const BlockWindow meshed = WindowOfMeshed(block);
+    return meshed.IsEmpty() ||
+      !(this->IsEdge(block.Window, meshed.Least) || this->IsEdge(block.Window, meshed.Greatest));
   }
 
   const SealingInput& Input;
@@ -623,39 +575,12 @@ private:
   double Column;
 };
 
-/// The block of a place farther than `margin` from its faults, or NoBlock. Beyond tips there is no fault.
-std::int32_t FindBlockOf(const std::vector<SealingFault>& faults, const std::vector<BlockHeights>& blocks,
-  const Eigen::Vector3d& place, double margin)
+/// The block of each pick, or NoBlock if it is not used, or within `drop` of a fault. Beyond tips there is no fault.
+std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, std::size_t number, const BlockWindow& all,
+  const std::vector<unsigned char>& isDropped, const BlockTree& tree, double drop, const Monitor& monitor)
 {
-  std::vector<double> distances(faults.size(), NotKnown);
-  for (std::size_t n = 0; n < blocks.size(); ++n)
-  {
-    bool isIn = true;
-    for (std::size_t fault = 0; fault < faults.size() && isIn; ++fault)
-    {
-      const int side = blocks[n].Sides[fault];
-      if (side != 0 && std::isnan(distances[fault]))
-      {
-        const FaultPlace at = faults[fault].Plate.ToPlace(place);
-        const double distance = faults[fault].Plate.Distance(at);
-        const bool isNear = std::abs(distance) <= margin && !faults[fault].IsBeyondTips(at);
-        distances[fault] = isNear ? 0.0 : distance;
-      }
-      isIn = side == 0 || side * distances[fault] > 0.0;
-    }
-    if (isIn)
-    {
-      return std::int32_t(n);
-    }
-  }
-  return NoBlock;
-}
-
-/// The block of each pick, or NoBlock if it is not used.
-std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, const SealingHorizon& horizon,
-  const BlockWindow& all, const std::vector<unsigned char>& isDropped, const std::vector<BlockHeights>& blocks,
-  double drop, const Monitor& monitor)
-{
+  const SealingHorizon& horizon = input.Horizons[number];
+  const std::vector<BlockSides> blocks = tree.BlocksOf(number);
   std::vector<std::int32_t> blockOf(horizon.Columns.size(), NoBlock);
   ParallelFor(std::int64_t(blockOf.size()), Grain, monitor,
     [&](std::int64_t first, std::int64_t last)
@@ -663,10 +588,20 @@ std::vector<std::int32_t> FindBlockOfPoints(const SealingInput& input, const Sea
       for (auto pick = std::size_t(first); pick < std::size_t(last); ++pick)
       {
         const PlanePoint& column = horizon.Columns[pick];
-        if (all.Contains(column) && isDropped[pick] == 0)
+        const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
+        bool isUsed = all.Contains(column) && isDropped[pick] == 0;
+        const auto isHanging = [&](std::size_t fault)
         {
-          const Eigen::Vector3d place(input.Step.x() * column.X, input.Step.y() * column.Y, horizon.Heights[pick]);
-          blockOf[pick] = FindBlockOf(input.Faults, blocks, place, drop);
+          const FaultPlate& plate = input.Faults[fault].Plate;
+          const FaultPlace at = plate.ToPlace(place);
+          const double distance = plate.Distance(at);
+          isUsed = isUsed && distance != 0.0 && (std::abs(distance) > drop || input.Faults[fault].IsBeyondTips(at));
+          return distance > 0.0;
+        };
+        if (isUsed)
+        {
+          const auto found = std::find(blocks.begin(), blocks.end(), tree.FindAt(number, isHanging));
+          blockOf[pick] = isUsed ? std::int32_t(found - blocks.begin()) : NoBlock;
         }
       }
     });
@@ -694,7 +629,7 @@ std::vector<BlockHeights> ListBlockPicks(const SealingInput& input, std::size_t 
       std::for_each(dropped.begin(), dropped.end(), [&](std::size_t pick) { isDropped[pick] = 1; });
     }
   }
-  const std::vector<std::int32_t> blockOf = FindBlockOfPoints(input, horizon, all, isDropped, blocks, drop, monitor);
+  const std::vector<std::int32_t> blockOf = FindBlockOfPoints(input, number, all, isDropped, tree, drop, monitor);
   for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
   {
     if (blockOf[pick] != NoBlock)
@@ -705,7 +640,7 @@ std::vector<BlockHeights> ListBlockPicks(const SealingInput& input, std::size_t 
   for (BlockHeights& block : blocks)
   {
     block.Window = block.Window.IsEmpty() ? all : block.Window.Grown(FirstWidening, all);
-    block.Heights.assign(block.Window.Size(), NotKnown);
+    block.Heights.assign(block.Window.Size(), NoValue);
     block.Nodes.assign(block.Window.Size(), 0);
   }
   for (std::size_t pick = 0; pick < blockOf.size(); ++pick)
@@ -768,10 +703,8 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
     return;
   }
   block.Heights.resize(block.Window.Size());
-  for (std::size_t node = 0; node < block.Heights.size(); ++node)
-  {
-    block.Heights[node] = sibling->HeightNear(block.Window.ColumnOf(node));
-  }
+  block.Window.ForEach(
+    [&](const PlanePoint& column, std::size_t node) { block.Heights[node] = sibling->HeightNear(column); });
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const BlockHeights& own : blocks)
   {
@@ -785,11 +718,8 @@ void Guess(std::vector<BlockHeights>& blocks, BlockHeights& block)
       if (beside.Horizon == own.Horizon && !beside.IsGuessed && beside.Sides == sibling->Sides)
       {
         least = apart;
-        for (std::size_t node = 0; node < block.Heights.size(); ++node)
-        {
-          const PlanePoint column = block.Window.ColumnOf(node);
-          block.Heights[node] = own.HeightNear(column) + sibling->HeightNear(column) - beside.HeightNear(column);
-        }
+        block.Window.ForEach([&](const PlanePoint& column, std::size_t node)
+          { block.Heights[node] = own.HeightNear(column) + sibling->HeightNear(column) - beside.HeightNear(column); });
       }
     }
   }

@@ -31,6 +31,19 @@ struct BlockWindow : PlaneBox
   {
     return { this->Least.X + std::int32_t(node % this->Width()), this->Least.Y + std::int32_t(node / this->Width()) };
   }
+  /// Calls visit(column, node).
+  template <typename Visit>
+  void ForEach(Visit&& visit) const
+  {
+    std::size_t node = 0;
+    for (PlanePoint column = this->Least; column.Y <= this->Greatest.Y; ++column.Y)
+    {
+      for (column.X = this->Least.X; column.X <= this->Greatest.X; ++column.X)
+      {
+        visit(column, node++);
+      }
+    }
+  }
   /// The nearest column of the window.
   PlanePoint Clamp(const PlanePoint& column) const
   {
@@ -47,11 +60,21 @@ struct BlockWindow : PlaneBox
   }
 };
 
+/// The box of the model and some columns around it.
+inline BlockWindow WindowOf(const SealingInput& input, std::int32_t margin = 0)
+{
+  BlockWindow window;
+  window.Least = { input.Least.X - margin, input.Least.Y - margin };
+  window.Greatest = { input.Greatest.X + margin, input.Greatest.Y + margin };
+  return window;
+}
+
 enum BlockNode : unsigned char // flags
 {
   HasPick = 1, // that is used
   IsMeshed = 2, // in the block, or a few columns around
-  IsShared = 4 // continued in another block, beyond the tips of a fault
+  IsShared = 4, // continued in another block, beyond the tips of a fault
+  IsThere = 8 // in the block and in the walls
 };
 
 struct BlockHeights
@@ -72,6 +95,18 @@ struct BlockHeights
   bool Has(const PlanePoint& column, BlockNode flag) const
   {
     return this->Window.Contains(column) && (this->Nodes[this->Window.NodeOf(column)] & flag) != 0;
+  }
+  bool HasPickNear(const PlanePoint& column, std::int32_t columns) const
+  {
+    bool isThere = false;
+    for (std::int32_t y = column.Y - columns; y <= column.Y + columns && !isThere; ++y)
+    {
+      for (std::int32_t x = column.X - columns; x <= column.X + columns && !isThere; ++x)
+      {
+        isThere = this->Has({ x, y }, HasPick);
+      }
+    }
+    return isThere;
   }
 };
 

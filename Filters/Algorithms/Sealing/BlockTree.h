@@ -43,15 +43,7 @@ public:
   template <typename IsHanging>
   BlockSides FindAt(std::size_t horizon, IsHanging&& isHanging) const
   {
-    BlockSides sides(this->Faults.size(), 0);
-    for (std::size_t fault = 0; fault < this->Faults.size(); ++fault)
-    {
-      if (this->Cuts(fault, horizon) && this->Reaches(fault, sides))
-      {
-        sides[fault] = isHanging(fault) ? 1 : -1;
-      }
-    }
-    return sides;
+    return this->Find(isHanging, [horizon](std::size_t end) { return end < horizon; });
   }
 
   /// The blocks of a horizon.

@@ -3,6 +3,7 @@
 
 #include "FaultNetwork.h"
 
+#include "BlockHeights.h"
 #include "Common/Base/Errors.h"
 #include "SealedComplex.h"
 
@@ -12,7 +13,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 
 namespace SeismicHorizons
 {
@@ -55,11 +55,6 @@ std::vector<Eigen::Vector3d> PlacesOf(const FaultPlate& plate, const Eigen::Alig
     }
   }
   return places;
-}
-
-std::uint64_t KeyOfColumn(const PlanePoint& column)
-{
-  return std::uint64_t(std::uint32_t(column.X)) << 32U | std::uint32_t(column.Y);
 }
 
 /// The closed line around the extent of a fault. Ends for which goesOn(place, way) holds are moved far away.
@@ -404,10 +399,14 @@ std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const 
   for (const std::size_t number : unconformities)
   {
     const SealingHorizon& horizon = input.Horizons[number];
-    std::unordered_map<std::uint64_t, double> heights; // by column
+    const BlockWindow window = WindowOf(input);
+    std::vector<double> heights(window.Size(), NoValue);
     for (std::size_t pick = 0; pick < horizon.Columns.size(); ++pick)
     {
-      heights[KeyOfColumn(horizon.Columns[pick])] = horizon.Heights[pick];
+      if (window.Contains(horizon.Columns[pick]))
+      {
+        heights[window.NodeOf(horizon.Columns[pick])] = horizon.Heights[pick];
+      }
     }
     for (std::size_t n = 0; n < network.Faults.size(); ++n)
     {
@@ -416,10 +415,10 @@ std::size_t EndAtHorizons(const std::vector<std::size_t>& unconformities, const 
       for (const Eigen::Vector3d& place : PlacesOf(fault.Plate, box))
       {
         const Eigen::Vector2d column = (place.head<2>().array() / input.Step.array()).round();
-        const auto found = heights.find(KeyOfColumn({ std::int32_t(column.x()), std::int32_t(column.y()) }));
-        all += found != heights.end() ? 1.0 : 0.0;
-        above += found != heights.end() && place.z() > found->second ? 1.0 : 0.0;
-        gap = found != heights.end() ? std::min(gap, found->second - place.z()) : gap;
+        const double height = heights[window.NodeOf({ std::int32_t(column.x()), std::int32_t(column.y()) })];
+        all += std::isnan(height) ? 0.0 : 1.0;
+        above += place.z() > height ? 1.0 : 0.0;
+        gap = std::min(gap, std::isnan(height) ? gap : height - place.z());
       }
       if (all > 0.0 && above < LeastShare * all)
       {

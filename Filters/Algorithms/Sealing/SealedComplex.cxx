@@ -231,11 +231,7 @@ SealedComplex KeepDifferent(Arrangement arrangement, const LabelFinder& labelAt,
     {
       monitor.Progress(double(n) / double(triangles.size()));
       const ArrangedTriangle& triangle = triangles[std::size_t(largest[n])];
-      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const std::int32_t corner : triangle.Corners)
-      {
-        middle += arrangement.Vertices[std::size_t(corner)] / 3.0;
-      }
+      const Eigen::Vector3d middle = CentreOf(arrangement.Vertices, triangle.Corners);
       labels[n] = { labelAt(middle, triangle.Sheet, 0), labelAt(middle, triangle.Sheet, 1) };
     }
     if (labels[part][0] != labels[part][1])

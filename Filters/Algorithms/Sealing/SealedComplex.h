@@ -48,6 +48,12 @@ SealedComplex KeepDifferent(Arrangement arrangement, const LabelFinder& labelAt,
 /// Drops vertices without a triangle.
 void DropUnused(SealedComplex& complex);
 
+inline Eigen::Vector3d CentreOf(const std::vector<Eigen::Vector3d>& vertices, const SheetCorners& corners)
+{
+  const auto& [a, b, c] = corners;
+  return (vertices[std::size_t(a)] + vertices[std::size_t(b)] + vertices[std::size_t(c)]) / 3.0;
+}
+
 std::string PlaceText(const Eigen::Vector3d& place);
 
 /// Bodies by triangle and side, -1 outside.

@@ -3,7 +3,7 @@
 
 #include "SealedImprover.h"
 
-#include "TriangleGrid.h"
+#include "BoxTree.h"
 
 #include <Eigen/Geometry>
 
@@ -59,13 +59,12 @@ void ForEachHeight(const SheetHeights& heights, const std::array<Eigen::Vector3d
         to = std::max(to, x);
       }
     }
-    from = std::max(0.0, std::ceil(from));
-    to = std::min(double(heights.Width - 1), std::floor(to));
-    const std::size_t begin = std::size_t(row) * std::size_t(heights.Width);
-    for (double x = from; x <= to; ++x)
+    const int begin = int(std::clamp(std::ceil(from), 0.0, double(heights.Width)));
+    const int end = int(std::clamp(std::floor(to), -1.0, double(heights.Width - 1)));
+    const double* const along = &heights.Heights[std::size_t(row) * std::size_t(heights.Width)];
+    for (int x = begin; x <= end; ++x)
     {
-      const double height = heights.Heights[begin + std::size_t(x)];
-      if (!std::isnan(height) && !visit(height - p[0].z() - slopeX * (x - p[0].x()) - slopeY * (row - p[0].y())))
+      if (!std::isnan(along[x]) && !visit(along[x] - p[0].z() - slopeX * (x - p[0].x()) - slopeY * (row - p[0].y())))
       {
         return;
       }
@@ -103,12 +102,20 @@ public:
     , Options(options)
     , LargestCosine(std::cos(options.SmallestAngle / DegreesPerRadian))
     , Around(this->Complex.Vertices.size())
-    , Grid(options.Column)
+    , Changed(this->Complex.Vertices.size(), 0)
+    , Attempts(this->Complex.Vertices.size())
   {
+    std::vector<std::vector<BoxTree::Entry>> entries(shapes.size());
     for (std::size_t n = 0; n < this->Complex.Triangles.size(); ++n)
     {
-      this->PutIn(SealId(n));
+      const LabelledTriangle& triangle = this->Complex.Triangles[n];
+      entries[std::size_t(triangle.Sheet)].push_back({ SealId(n), this->BoxOf(triangle.Corners) });
+      for (const SealId corner : triangle.Corners)
+      {
+        this->Around[std::size_t(corner)].push_back(SealId(n));
+      }
     }
+    this->Trees = std::vector<BoxTree>(entries.begin(), entries.end());
   }
 
   void Run(const Monitor& monitor)
@@ -136,6 +143,14 @@ public:
   }
 
 private:
+  /// To remove a vertex that is on no line, whose error would count, too.
+  struct Attempt
+  {
+    std::size_t Time = 0;
+    double Part = 0.0; // of the error of heights
+  };
+
+  double PartOfHeights() const { return std::max(this->Part, 0.5); }
   const Eigen::Vector3d& At(SealId vertex) const { return this->Complex.Vertices[std::size_t(vertex)]; }
   const LabelledTriangle& Triangle(SealId triangle) const { return this->Complex.Triangles[std::size_t(triangle)]; }
   std::array<Eigen::Vector3d, 3> CornersOf(const SheetCorners& t) const
@@ -214,9 +229,13 @@ private:
     for (std::size_t n = 0; n < this->Around.size(); ++n)
     {
       double least = 1e300;
-      for (const SealId neighbour : this->NeighboursOf(SealId(n)))
+      for (const SealId triangle : this->Around[n])
       {
-        least = std::min(least, (this->At(neighbour) - this->At(SealId(n))).squaredNorm());
+        for (const SealId corner : this->Triangle(triangle).Corners)
+        {
+          const double length = (this->At(corner) - this->At(SealId(n))).squaredNorm();
+          least = corner == SealId(n) ? least : std::min(least, length);
+        }
       }
       order.emplace_back(least, SealId(n));
     }
@@ -227,15 +246,25 @@ private:
     }
   }
 
-  bool Remove(SealId vertex)
+  /// What could not be removed cannot be now, if nothing has changed around it, nor the errors that count.
+  bool IsSettled(SealId vertex) const
   {
-    std::vector<SealId> targets = this->NeighboursOf(vertex);
-    if (targets.empty())
+    const Attempt& last = this->Attempts[std::size_t(vertex)];
+    const auto isAsBefore = [&](SealId other) { return this->Changed[std::size_t(other)] < last.Time; };
+    const std::vector<SealId> neighbours = this->NeighboursOf(vertex);
+    return this->PartOfHeights() == last.Part && isAsBefore(vertex) &&
+      std::all_of(neighbours.begin(), neighbours.end(), isAsBefore);
+  }
+
+  void Remove(SealId vertex)
+  {
+    if (this->Around[std::size_t(vertex)].empty() || this->IsSettled(vertex))
     {
-      return false;
+      return;
     }
-    const std::vector<SealId> neighbours = targets;
+    const Removal removal = this->RemovalOf(vertex);
     const auto lengthTo = [&](SealId target) { return (this->At(target) - this->At(vertex)).squaredNorm(); };
+    std::vector<SealId> targets = removal.Neighbours;
     std::sort(targets.begin(), targets.end(),
       [&](SealId a, SealId b)
       {
@@ -243,33 +272,34 @@ private:
         return p != q ? p < q : a < b;
       });
     bool isCorner = false;
-    const std::vector<SealId> ends = this->LineThrough(vertex, neighbours, isCorner);
-    const double shortest = std::pow(Short * this->Options.Column, 2);
-    const SealId nearest = targets.front();
+    const std::vector<SealId> ends = this->LineThrough(vertex, removal.Neighbours, isCorner);
+    ++this->Time;
+    this->Attempts[std::size_t(vertex)] = { isCorner || ends.empty() ? this->Time : 0, this->PartOfHeights() };
     if (isCorner)
     {
-      return lengthTo(nearest) < shortest && this->IsOnWallsOf(vertex, nearest) &&
-        this->CanJoin(vertex, nearest, neighbours) && this->Try(vertex, nearest);
+      const double shortest = std::pow(Short * this->Options.Column, 2);
+      if (lengthTo(targets.front()) < shortest && this->IsOnWallsOf(vertex, targets.front()))
+      {
+        this->Try(removal, targets.front());
+      }
+      return;
     }
-    if (ends.empty())
-    {
-      return std::any_of(targets.begin(), targets.end(),
-        [&](SealId target) { return this->CanJoin(vertex, target, neighbours) && this->Try(vertex, target, true); });
-    }
-    GonePlaces gone = this->GoneFrom(vertex, ends);
+    GonePlaces gone = ends.empty() ? GonePlaces() : this->GoneFrom(vertex, ends);
     for (const SealId target : targets)
     {
-      if (std::find(ends.begin(), ends.end(), target) == ends.end() || !this->IsNearLine(gone, ends) ||
-        !this->IsOnWallsOf(vertex, target) || !this->CanJoin(vertex, target, neighbours) || !this->Try(vertex, target))
+      if (ends.empty() && this->Try(removal, target, true))
       {
-        continue;
+        return;
       }
-      this->Gone.erase(KeyOf(vertex, ends[0]));
-      this->Gone.erase(KeyOf(vertex, ends[1]));
-      this->Gone[KeyOf(ends[0], ends[1])] = std::move(gone);
-      return true;
+      if (std::find(ends.begin(), ends.end(), target) != ends.end() && this->IsNearLine(gone, ends) &&
+        this->IsOnWallsOf(vertex, target) && this->Try(removal, target))
+      {
+        this->Gone.erase(KeyOf(vertex, ends[0]));
+        this->Gone.erase(KeyOf(vertex, ends[1]));
+        this->Gone[KeyOf(ends[0], ends[1])] = std::move(gone);
+        return;
+      }
     }
-    return false;
   }
 
   /// Whether the other vertex is on all walls that the vertex is on, which it may not leave.
@@ -290,21 +320,20 @@ private:
   /// Whether the other vertex is on all faults that the vertex is on, which it may not draw beyond their tips.
   bool IsOnFaultsOf(SealId vertex, SealId other) const
   {
-    const auto isFault = [this](SealId triangle, SealId sheet)
-    {
-      const LabelledTriangle& own = this->Triangle(triangle);
-      return own.Sheet == sheet && !own.IsBeyondTips;
-    };
     const std::vector<SealId>& around = this->Around[std::size_t(vertex)];
     const std::vector<SealId>& others = this->Around[std::size_t(other)];
     return std::all_of(around.begin(), around.end(),
       [&](SealId triangle)
       {
-        const SealId sheet = this->Triangle(triangle).Sheet;
-        const bool isOfGap = std::any_of(others.begin(), others.end(),
-          [&](SealId beside) { return this->Triangle(beside).IsBeyondTips && this->Triangle(beside).Sheet == sheet; });
-        return !isFault(triangle, sheet) || !isOfGap ||
-          std::any_of(others.begin(), others.end(), [&](SealId beside) { return isFault(beside, sheet); });
+        const LabelledTriangle& own = this->Triangle(triangle);
+        const auto isOn = [&](bool isBeyondTips)
+        {
+          return std::any_of(others.begin(), others.end(),
+            [&](SealId beside) {
+              return this->Triangle(beside).Sheet == own.Sheet && this->Triangle(beside).IsBeyondTips == isBeyondTips;
+            });
+        };
+        return own.IsBeyondTips || !isOn(true) || isOn(false);
       });
   }
 
@@ -377,12 +406,30 @@ private:
         const auto join = [&](SealId vertex, SealId target)
         {
           return this->IsOnWallsOf(vertex, target) && this->IsOnFaultsOf(vertex, target) &&
-            this->CanJoin(vertex, target, this->NeighboursOf(vertex)) && this->Try(vertex, target);
+            this->Try(this->RemovalOf(vertex), target);
         };
         return join(edge[0], edge[1]) || join(edge[1], edge[0]);
       });
     this->IsClosing = false;
     return isDone;
+  }
+
+  /// A vertex that may go, with its neighbours, and the cosine of the smallest angle that may arise.
+  struct Removal
+  {
+    SealId Vertex;
+    std::vector<SealId> Neighbours;
+    double LargestCosine;
+  };
+  Removal RemovalOf(SealId vertex) const
+  {
+    Removal removal = { vertex, this->NeighboursOf(vertex), this->IsClosing ? 1.0 : this->LargestCosine };
+    for (const SealId triangle : this->Around[std::size_t(vertex)])
+    {
+      const double cosine = CosineOfSmallestAngle(this->CornersOf(this->Triangle(triangle).Corners));
+      removal.LargestCosine = std::max(removal.LargestCosine, cosine);
+    }
+    return removal;
   }
 
   bool CanJoin(SealId vertex, SealId target, const std::vector<SealId>& neighbours) const
@@ -416,28 +463,32 @@ private:
     return common.empty();
   }
 
-  bool Try(SealId vertex, SealId target, bool isInside = false)
+  bool Try(const Removal& removal, SealId target, bool isInside = false)
   {
     std::vector<SealId> changed, gone;
     std::vector<SheetCorners> corners;
-    double largest = this->IsClosing ? 1.0 : this->LargestCosine;
-    for (const SealId triangle : this->Around[std::size_t(vertex)])
+    for (const SealId triangle : this->Around[std::size_t(removal.Vertex)])
     {
       SheetCorners t = this->Triangle(triangle).Corners;
-      largest = std::max(largest, CosineOfSmallestAngle(this->CornersOf(t)));
       if (Has(t, target))
       {
         gone.push_back(triangle);
         continue;
       }
-      std::replace(t.begin(), t.end(), vertex, target);
+      std::replace(t.begin(), t.end(), removal.Vertex, target);
       changed.push_back(triangle);
       corners.push_back(t);
     }
+    if (!this->HaveAngles(changed, corners, removal.LargestCosine) ||
+      !this->CanJoin(removal.Vertex, target, removal.Neighbours) || !this->AreWithin(changed, corners))
+    {
+      return false;
+    }
     std::vector<SealId> all = changed;
     all.insert(all.end(), gone.begin(), gone.end());
-    if (!this->IsGood(changed, corners, all, largest, isInside))
+    if (this->MeetOthers(changed, corners, all, isInside))
     {
+      this->Attempts[std::size_t(removal.Vertex)].Time = 0; // The others may go.
       return false;
     }
     for (const SealId triangle : gone)
@@ -452,9 +503,10 @@ private:
   void PutIn(SealId triangle)
   {
     const SheetCorners& corners = this->Triangle(triangle).Corners;
-    this->Grid.Add(triangle, this->BoxOf(corners));
+    this->Trees[std::size_t(this->Triangle(triangle).Sheet)].Add(triangle, this->BoxOf(corners));
     for (const SealId corner : corners)
     {
+      this->Changed[std::size_t(corner)] = this->Time;
       this->Around[std::size_t(corner)].push_back(triangle);
     }
   }
@@ -462,9 +514,10 @@ private:
   void TakeOut(SealId triangle)
   {
     const SheetCorners& corners = this->Triangle(triangle).Corners;
-    this->Grid.Remove(triangle, this->BoxOf(corners));
+    this->Trees[std::size_t(this->Triangle(triangle).Sheet)].Remove(triangle, this->BoxOf(corners));
     for (const SealId corner : corners)
     {
+      this->Changed[std::size_t(corner)] = this->Time;
       std::vector<SealId>& around = this->Around[std::size_t(corner)];
       around.erase(std::remove(around.begin(), around.end(), triangle), around.end());
     }
@@ -480,10 +533,8 @@ private:
     }
   }
 
-  /// Whether triangles may get these corners while `gone`, which include them, go. Those inside a sheet fill the same place
-  /// on its plane.
-  bool IsGood(const std::vector<SealId>& changed, const std::vector<SheetCorners>& corners,
-    const std::vector<SealId>& gone, double largestCosine, bool isInside) const
+  bool HaveAngles(
+    const std::vector<SealId>& changed, const std::vector<SheetCorners>& corners, double largestCosine) const
   {
     for (std::size_t n = 0; n < changed.size(); ++n)
     {
@@ -496,51 +547,58 @@ private:
         return false;
       }
     }
-    for (std::size_t n = 0; n < changed.size(); ++n) // after all angles, as this takes longer
+    return true;
+  }
+
+  bool AreWithin(const std::vector<SealId>& changed, const std::vector<SheetCorners>& corners) const
+  {
+    bool areWithin = true;
+    for (std::size_t n = 0; n < changed.size() && areWithin; ++n)
     {
-      if (!this->IsWithin(this->Shapes[std::size_t(this->Triangle(changed[n]).Sheet)], this->CornersOf(corners[n])))
-      {
-        return false;
-      }
+      const SheetShape& shape = this->Shapes[std::size_t(this->Triangle(changed[n]).Sheet)];
+      const double most = this->PartOfHeights() * shape.Error;
+      ForEachHeight(shape.Heights, this->CornersOf(corners[n]),
+        [&areWithin, most](double above)
+        {
+          areWithin = std::abs(above) <= most;
+          return areWithin;
+        });
     }
+    return areWithin;
+  }
+
+  /// Whether triangles with these corners would meet each other or others, while `gone`, which include them, go. Those inside
+  /// a sheet fill the same place on its plane.
+  bool MeetOthers(const std::vector<SealId>& changed, const std::vector<SheetCorners>& corners,
+    const std::vector<SealId>& gone, bool isInside) const
+  {
     if (isInside && this->Shapes[std::size_t(this->Triangle(changed.front()).Sheet)].IsLevel())
     {
-      return true;
+      return false;
     }
     for (std::size_t n = 0; n < changed.size(); ++n)
     {
+      const auto own = std::size_t(this->Triangle(changed[n]).Sheet);
+      const Eigen::AlignedBox3d box = this->BoxOf(corners[n]);
       const auto isGone = [&](SealId triangle) { return std::find(gone.begin(), gone.end(), triangle) != gone.end(); };
       const auto meets = [&](SealId other)
+      { return !isGone(other) && this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners); };
+      for (std::size_t sheet = 0; sheet < this->Trees.size(); ++sheet)
       {
-        return !(isInside && this->Triangle(other).Sheet == this->Triangle(changed[n]).Sheet) && !isGone(other) &&
-          this->Meet(changed[n], corners[n], other, this->Triangle(other).Corners);
-      };
-      if (this->Grid.Any(this->BoxOf(corners[n]), meets))
-      {
-        return false;
+        if (!(isInside && sheet == own) && this->Trees[sheet].Any(box, meets))
+        {
+          return true;
+        }
       }
       for (std::size_t other = 0; other < n && !isInside; ++other)
       {
         if (this->Meet(changed[n], corners[n], changed[other], corners[other]))
         {
-          return false;
+          return true;
         }
       }
     }
-    return true;
-  }
-
-  bool IsWithin(const SheetShape& shape, const std::array<Eigen::Vector3d, 3>& places) const
-  {
-    const double most = std::max(this->Part, 0.5) * shape.Error;
-    bool isWithin = true;
-    ForEachHeight(shape.Heights, places,
-      [&isWithin, most](double above)
-      {
-        isWithin = std::abs(above) <= most;
-        return isWithin;
-      });
-    return isWithin;
+    return false;
   }
 
   /// Whether two triangles may meet elsewhere than at common corners.
@@ -703,7 +761,9 @@ private:
       std::max(CosineOfSmallestAngle(this->CornersOf(t)), CosineOfSmallestAngle(this->CornersOf(s)));
     constexpr double least = 1e-3;
     const std::vector<SheetCorners> corners = { { a, d, c }, { d, b, c } };
-    if (!this->IsGood({ triangle, other }, corners, { triangle, other }, before - least, true))
+    const std::vector<SealId> both = { triangle, other };
+    if (!this->HaveAngles(both, corners, before - least) || !this->AreWithin(both, corners) ||
+      this->MeetOthers(both, corners, both, true))
     {
       return false;
     }
@@ -718,7 +778,10 @@ private:
   double Part = 1.0; // of errors
   bool IsClosing = false;
   std::vector<std::vector<SealId>> Around;
-  TriangleGrid Grid;
+  std::size_t Time = 1; // counts attempts
+  std::vector<std::size_t> Changed; // by vertex, when a triangle around it did
+  std::vector<Attempt> Attempts; // by vertex, the last ones
+  std::vector<BoxTree> Trees; // by sheet
   std::unordered_map<EdgeKey, GonePlaces> Gone; // by edge of a line, places it had
 };
 }
@@ -733,9 +796,9 @@ SealedComplex Improve(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vector<SheetShape>& shapes)
+double MeasureLargestError(const SealedComplex& complex, const std::vector<SheetShape>& shapes)
 {
-  std::vector<double> errors(shapes.size(), 0.0);
+  double error = 0.0;
   for (const LabelledTriangle& triangle : complex.Triangles)
   {
     std::array<Eigen::Vector3d, 3> corners;
@@ -743,7 +806,6 @@ std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vecto
     {
       corners[n] = complex.Vertices[std::size_t(triangle.Corners[n])];
     }
-    double& error = errors[std::size_t(triangle.Sheet)];
     ForEachHeight(shapes[std::size_t(triangle.Sheet)].Heights, corners,
       [&error](double above)
       {
@@ -751,6 +813,6 @@ std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vecto
         return true;
       });
   }
-  return errors;
+  return error;
 }
 }

@@ -43,8 +43,8 @@ struct ImproverOptions
 SealedComplex Improve(SealedComplex complex, const std::vector<SheetShape>& shapes, const ImproverOptions& options,
   const Monitor& monitor = Monitor());
 
-/// The largest distance of heights from triangles, by sheet.
-std::vector<double> MeasureSheets(const SealedComplex& complex, const std::vector<SheetShape>& shapes);
+/// The largest distance of heights from triangles of their sheet.
+double MeasureLargestError(const SealedComplex& complex, const std::vector<SheetShape>& shapes);
 }
 
 #endif

@@ -144,18 +144,9 @@ public:
     constexpr int near = 2; // columns
     const BlockHeights& block = this->Blocks[sheet];
     const Eigen::Vector2d column = (place.head<2>().array() / this->Input.Step.array()).round();
-    for (int dy = -near; dy <= near; ++dy)
-    {
-      for (int dx = -near; dx <= near; ++dx)
-      {
-        const PlanePoint at = { std::int32_t(column.x()) + dx, std::int32_t(column.y()) + dy };
-        if (block.Has(at, HasPick))
-        {
-          return VertexSource::Picks;
-        }
-      }
-    }
-    return block.IsGuessed ? VertexSource::OtherHorizon : VertexSource::Continued;
+    return block.HasPickNear({ std::int32_t(column.x()), std::int32_t(column.y()) }, near) ? VertexSource::Picks
+      : block.IsGuessed                                                                    ? VertexSource::OtherHorizon
+                                                                                           : VertexSource::Continued;
   }
 
   std::int32_t NumberOf(const BlockSides& sides)
@@ -186,13 +177,8 @@ public:
     {
       return false;
     }
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const std::int32_t corner : triangle.Corners)
-    {
-      middle += complex.Vertices[std::size_t(corner)] / 3.0;
-    }
     const SealingFault& fault = this->FaultOf(sheet);
-    return fault.IsBeyondTips(fault.Plate.ToPlace(middle));
+    return fault.IsBeyondTips(fault.Plate.ToPlace(CentreOf(complex.Vertices, triangle.Corners)));
   }
 
   SealedLabel LabelAt(const Eigen::Vector3d& place, std::int32_t sheet, int side)
@@ -452,7 +438,7 @@ private:
   std::map<BlockSides, std::int32_t> Numbers;
 };
 
-SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& monitor)
+SealedComplex CutAndLabel(ModelSheets& sheets, const Monitor& monitor)
 {
   constexpr unsigned mostRounds = 8;
   for (unsigned round = 0;; ++round)
@@ -461,7 +447,7 @@ SealedComplex CutAndLabel(ModelSheets& sheets, double column, const Monitor& mon
     try
     {
       return KeepDifferent(
-        Arrange(sheets.Shaken, sheets.Pairs(), column, monitor.Step(0.0, 0.6)),
+        Arrange(sheets.Shaken, sheets.Pairs(), monitor.Step(0.0, 0.6)),
         [&](const Eigen::Vector3d& place, std::int32_t sheet, int side) { return sheets.LabelAt(place, sheet, side); },
         monitor.Step(0.6, 1.0));
     }
@@ -562,13 +548,9 @@ std::vector<SealedSurface> NameSurfaces(const SealingInput& input)
 /// The least height of a triangle.
 double ThicknessOf(const SealedComplex& complex, const LabelledTriangle& triangle)
 {
-  std::array<Eigen::Vector3d, 3> edges;
-  for (std::size_t n = 0; n < 3; ++n)
-  {
-    edges[n] =
-      complex.Vertices[std::size_t(triangle.Corners[(n + 1) % 3])] - complex.Vertices[std::size_t(triangle.Corners[n])];
-  }
-  return edges[0].cross(edges[1]).norm() / std::max({ edges[0].norm(), edges[1].norm(), edges[2].norm() });
+  const auto at = [&](std::size_t corner) { return complex.Vertices[std::size_t(triangle.Corners[corner])]; };
+  const Eigen::Vector3d u = at(1) - at(0), v = at(2) - at(1), w = at(0) - at(2);
+  return u.cross(v).norm() / std::max({ u.norm(), v.norm(), w.norm() });
 }
 
 /// Throws InputError if bodies leave a gap, or overlap.
@@ -669,7 +651,7 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
   ModelSheets sheets(input, options, monitor.Step(0.0, 0.4));
   const double column = input.Step.maxCoeff();
   const ImproverOptions improver = { std::min(options.MaximumError, options.FaultError), SmallestSealedAngle, column };
-  SealedComplex cut = CutAndLabel(sheets, column, monitor.Step(0.4, 0.7));
+  SealedComplex cut = CutAndLabel(sheets, monitor.Step(0.4, 0.7));
   RequireOrder(cut, sheets, input);
   const SealedComplex complex =
     Improve(OpenBeyondTips(std::move(cut), sheets), sheets.Shapes, improver, monitor.Step(0.7, 1.0));
@@ -685,8 +667,7 @@ SealedModel SealModel(SealingInput input, const SealingOptions& options, const M
   model.Guessed = sheets.Guessed();
   model.Accounts = sheets.Accounts;
   model.Steps = sheets.Steps;
-  const std::vector<double> errors = MeasureSheets(complex, sheets.Shapes);
-  model.LargestError = *std::max_element(errors.begin(), errors.end());
+  model.LargestError = MeasureLargestError(complex, sheets.Shapes);
   return model;
 }
 }

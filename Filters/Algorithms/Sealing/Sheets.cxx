@@ -110,65 +110,41 @@ void Shake(std::vector<Sheet>& sheets, double distance, unsigned round)
 SheetLocator::SheetLocator(const Sheet& sheet)
   : Given(sheet)
 {
-  for (const Eigen::Vector3d& vertex : sheet.Vertices)
-  {
-    this->Box.extend((sheet.Axes * vertex).head<2>());
-  }
-  const double area = std::max(this->Box.sizes().prod(), 1e-300);
-  const double side = std::sqrt(area / std::max<double>(double(sheet.Triangles.size()), 1.0));
-  this->Cells = (this->Box.sizes() / side).array().ceil().max(1.0).min(4096.0).cast<int>();
-  this->Size = this->Box.sizes().array() / this->Cells.cast<double>().array();
-  this->Triangles.resize(std::size_t(this->Cells.prod()));
+  std::vector<BoxTree::Entry> entries;
   for (std::size_t n = 0; n < sheet.Triangles.size(); ++n)
   {
-    Eigen::AlignedBox2d box;
+    BoxTree::Entry& entry = entries.emplace_back(BoxTree::Entry{ std::int32_t(n), {} });
     for (const std::int32_t corner : sheet.Triangles[n])
     {
-      box.extend((sheet.Axes * sheet.Vertices[std::size_t(corner)]).head<2>());
-    }
-    const Eigen::Vector2i from = this->CellOf(box.min()), to = this->CellOf(box.max());
-    for (int y = from.y(); y <= to.y(); ++y)
-    {
-      for (int x = from.x(); x <= to.x(); ++x)
-      {
-        this->Triangles[std::size_t(y) * std::size_t(this->Cells.x()) + std::size_t(x)].push_back(std::int32_t(n));
-      }
+      const Eigen::Vector3d place = sheet.Axes * sheet.Vertices[std::size_t(corner)];
+      entry.Box.extend(Eigen::Vector3d(place.x(), place.y(), 0.0));
     }
   }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-Eigen::Vector2i SheetLocator::CellOf(const Eigen::Vector2d& onPlane) const
-{
-  const Eigen::Vector2d cell = (onPlane - this->Box.min()).array() / this->Size.array();
-  return cell.array().floor().max(0.0).min(this->Cells.cast<double>().array() - 1.0).cast<int>();
+  this->Triangles = BoxTree(entries);
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 std::optional<double> SheetLocator::HeightAbove(const Eigen::Vector3d& place) const
 {
   const Eigen::Vector3d at = this->Given.Axes * place;
-  if (!this->Box.contains(at.head<2>()))
-  {
-    return std::nullopt;
-  }
-  const Eigen::Vector2i cell = this->CellOf(at.head<2>());
-  constexpr double rounding = 1e-9;
-  for (const std::int32_t n :
-    this->Triangles[std::size_t(cell.y()) * std::size_t(this->Cells.x()) + std::size_t(cell.x())])
-  {
-    const SheetCorners& corners = this->Given.Triangles[std::size_t(n)];
-    const Eigen::Vector3d a = this->Given.Axes * this->Given.Vertices[std::size_t(corners[0])];
-    const Eigen::Vector3d b = this->Given.Axes * this->Given.Vertices[std::size_t(corners[1])] - a;
-    const Eigen::Vector3d c = this->Given.Axes * this->Given.Vertices[std::size_t(corners[2])] - a;
-    const Eigen::Vector3d p = at - a;
-    const double area = b.x() * c.y() - b.y() * c.x();
-    const double v = (p.x() * c.y() - p.y() * c.x()) / area, w = (b.x() * p.y() - b.y() * p.x()) / area;
-    if (v >= -rounding && w >= -rounding && v + w <= 1.0 + rounding)
+  std::optional<double> height;
+  this->Triangles.Any(Eigen::AlignedBox3d(Eigen::Vector3d(at.x(), at.y(), 0.0)),
+    [&](std::int32_t n)
     {
-      return p.z() - v * b.z() - w * c.z();
-    }
-  }
-  return std::nullopt;
+      const SheetCorners& corners = this->Given.Triangles[std::size_t(n)];
+      const Eigen::Vector3d a = this->Given.Axes * this->Given.Vertices[std::size_t(corners[0])];
+      const Eigen::Vector3d b = this->Given.Axes * this->Given.Vertices[std::size_t(corners[1])] - a;
+      const Eigen::Vector3d c = this->Given.Axes * this->Given.Vertices[std::size_t(corners[2])] - a;
+      const Eigen::Vector3d p = at - a;
+      const double area = b.x() * c.y() - b.y() * c.x();
+      const double v = (p.x() * c.y() - p.y() * c.x()) / area, w = (b.x() * p.y() - b.y() * p.x()) / area;
+      constexpr double rounding = 1e-9;
+      if (v >= -rounding && w >= -rounding && v + w <= 1.0 + rounding)
+      {
+        height = p.z() - v * b.z() - w * c.z();
+      }
+      return height.has_value();
+    });
+  return height;
 }
 }

@@ -6,11 +6,11 @@
 #ifndef SeismicHorizonsSheets_h
 #define SeismicHorizonsSheets_h
 
+#include "BoxTree.h"
 #include "Common/Base/Monitor.h"
 #include "Common/Horizon/Types.h"
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <array>
 #include <cstdint>
@@ -75,13 +75,8 @@ public:
   std::optional<double> HeightAbove(const Eigen::Vector3d& place) const;
 
 private:
-  Eigen::Vector2i CellOf(const Eigen::Vector2d& onPlane) const;
-
   const Sheet& Given;
-  Eigen::AlignedBox2d Box;
-  Eigen::Vector2d Size;
-  Eigen::Vector2i Cells;
-  std::vector<std::vector<std::int32_t>> Triangles; // by cell
+  BoxTree Triangles; // on the plane
 };
 }
 

@@ -3,6 +3,7 @@
 
 #include "SurveyOutline.h"
 
+#include "BlockHeights.h"
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/Predicates.h"
 #include "Common/Horizon/SpacePoints.h"
@@ -25,28 +26,21 @@ constexpr std::size_t MostCorners = 32;
 
 std::vector<PlanePoint> ListColumns(const SealingInput& input)
 {
-  const auto width = std::size_t(input.Greatest.X - input.Least.X + 1),
-             height = std::size_t(input.Greatest.Y - input.Least.Y + 1);
-  std::vector<unsigned char> isThere(width * height, 0);
+  const BlockWindow window = WindowOf(input);
+  std::vector<unsigned char> isThere(window.Size(), 0);
   for (const SealingHorizon& horizon : input.Horizons)
   {
     for (const PlanePoint& column : horizon.Columns)
     {
-      const auto x = std::size_t(column.X - input.Least.X), y = std::size_t(column.Y - input.Least.Y);
-      if (column.X >= input.Least.X && column.Y >= input.Least.Y && x < width && y < height)
+      if (window.Contains(column))
       {
-        isThere[y * width + x] = 1;
+        isThere[window.NodeOf(column)] = 1;
       }
     }
   }
   std::vector<PlanePoint> columns;
-  for (std::size_t node = 0; node < isThere.size(); ++node)
-  {
-    if (isThere[node] != 0)
-    {
-      columns.push_back({ input.Least.X + std::int32_t(node % width), input.Least.Y + std::int32_t(node / width) });
-    }
-  }
+  window.ForEach([&](const PlanePoint& column, std::size_t node)
+    { columns.insert(columns.end(), isThere[node] != 0 ? 1 : 0, column); });
   return columns;
 }
 
