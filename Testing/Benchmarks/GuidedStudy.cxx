@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -38,13 +39,8 @@ std::vector<LatticeHorizon> ExtractGuided(
   const CubeGenerator& cube, const ExtractionOptions& options, const std::vector<Guide>& guides)
 {
   std::vector<Guide> given;
-  for (const Guide& guide : guides)
-  {
-    if (!guide.Picks.empty())
-    {
-      given.push_back(guide);
-    }
-  }
+  std::copy_if(
+    guides.begin(), guides.end(), std::back_inserter(given), [](const Guide& guide) { return !guide.Picks.empty(); });
   std::vector<LatticeHorizon> found = ExtractFrom(cube, options, given).Surfaces;
   std::vector<LatticeHorizon> surfaces(guides.size());
   std::size_t next = 0;
@@ -54,18 +50,6 @@ std::vector<LatticeHorizon> ExtractGuided(
     {
       surfaces[n] = std::move(found[next++]);
     }
-  }
-  return surfaces;
-}
-
-std::vector<LatticeHorizon> TrackAll(const CubeGenerator& cube, const std::vector<Guide>& guides)
-{
-  const std::vector<float> traces = cube.MakeTraces();
-  const double period = 1000.0 / (cube.Options().Frequency * cube.Options().SampleInterval);
-  std::vector<LatticeHorizon> surfaces;
-  for (const Guide& guide : guides)
-  {
-    surfaces.push_back(TrackPlainly(traces, cube.Options().Size, period, guide));
   }
   return surfaces;
 }
@@ -139,7 +123,14 @@ GuideScore ScorePlan(const CubeGenerator& cube, const ExtractionOptions& options
 
 GuideScore ScorePlainly(const CubeGenerator& cube, const GuidedPlan& plan)
 {
-  return ScoreGuided(cube, TrackAll(cube, MakeGuides(cube, plan.Picks, cube.Options().Seed)));
+  const std::vector<float> traces = cube.MakeTraces();
+  const double period = 1000.0 / (cube.Options().Frequency * cube.Options().SampleInterval);
+  std::vector<LatticeHorizon> surfaces;
+  for (const Guide& guide : MakeGuides(cube, plan.Picks, cube.Options().Seed))
+  {
+    surfaces.push_back(TrackPlainly(traces, cube.Options().Size, period, guide));
+  }
+  return ScoreGuided(cube, surfaces);
 }
 
 void PrintGuidedTable(int cubes)

@@ -3,7 +3,7 @@
 
 #include "CubeReflectors.h"
 
-#include "SmoothNoise.h"
+#include "CubeRandom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,40 +14,12 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
-
-/// What random numbers are for.
-enum Purpose : std::uint64_t
-{
-  Folds = 1,
-  LayerShape,
-  LayerSpacing,
-  LayerStrength,
-  Fades,
-  ChannelCourse,
-  DeadTraces,
-  MissingTraces,
-  Erosion,
-  FaultShape,
-  ReefShape,
-  TurningLine,
-  ForesetShape,
-  Statics
-};
-
-double RandomOf(std::uint64_t seed, Purpose purpose, std::int64_t i, std::int64_t j)
-{
-  return Random(Mix(seed + Mix(purpose)), i, j);
-}
-
-double SmoothOf(std::uint64_t seed, Purpose purpose, double x, double y, int octaves)
-{
-  return FractalNoise(Mix(seed + Mix(purpose)), x, y, octaves);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 CubeReflectors::CubeReflectors(const CubeGeneratorOptions& options)
   : Given(options)
+  , Shifts(options)
 {
   double depth = options.FoldHeight + 0.5 * options.Spacing;
   const double last = options.Size[2] - 0.5 * options.Spacing;
@@ -76,7 +48,6 @@ CubeReflectors::CubeReflectors(const CubeGeneratorOptions& options)
     this->Layers[this->Layers.size() / 2].IsReef = true;
   }
   this->AddShortFaults();
-  this->AddStatics();
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -113,45 +84,6 @@ void CubeReflectors::AddForesets(double top, double bottom)
     this->AddLayer(top, LayerKind::Foreset);
     this->Layers.back().Edge = edge;
     edge -= gap * (0.75 + 0.5 * RandomOf(this->Given.Seed, ForesetShape, this->Size(), 0));
-  }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-// Each line of receivers is early or late by a little more or less than the one before; so is each line of sources.
-void CubeReflectors::AddStatics()
-{
-  if (!this->Given.Has(Trouble::Statics))
-  {
-    return;
-  }
-  const auto [nX, nY, nZ] = this->Given.Size;
-  const auto random = [&](std::int64_t what, std::int64_t which)
-  { return this->Period() * (2.0 * RandomOf(this->Given.Seed, Statics, what, which) - 1.0); };
-  std::array<std::vector<double>, 2> lines;
-  for (const std::size_t axis : { 0U, 1U })
-  {
-    double late = 0.0;
-    for (int line = 0; line < this->Given.Size[axis]; ++line)
-    {
-      late = 0.9 * late + 0.08 * random(std::int64_t(axis), line);
-      lines[axis].push_back(late);
-    }
-  }
-  for (int column = 0; column < nX * nY; ++column)
-  {
-    const int i = column % nX;
-    const int j = column / nX;
-    double late = lines[0][std::size_t(i)] + lines[1][std::size_t(j)] + 0.1 * random(2, column);
-    for (int patch = 0; patch < 3; ++patch)
-    {
-      const auto isWithin = [&](int place, int size, std::int64_t which)
-      {
-        const double middle = RandomOf(this->Given.Seed, Statics, 3 + patch, which) * size;
-        return std::abs(place - middle) < 0.2 * size;
-      };
-      late += isWithin(i, nX, 0) && isWithin(j, nY, 1) ? 0.25 * random(3 + patch, 2) : 0.0;
-    }
-    this->Shifts.push_back(late);
   }
 }
 
@@ -313,7 +245,7 @@ double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
   }
   constexpr double delay = 6.0; // samples
   place += this->Given.Has(Trouble::GasCloud) ? delay * this->InGas(place, i, j) : 0.0;
-  return this->Shifts.empty() ? place : place + this->Shifts[std::size_t(i + this->Given.Size[0] * j)];
+  return place + this->Shifts.At(i, j);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #define SeismicHorizonsCubeReflectors_h
 
 #include "CubeGeneratorOptions.h"
+#include "TraceStatics.h"
 
 #include <array>
 #include <cstdint>
@@ -78,7 +79,6 @@ private:
   /// Between two depths.
   void AddForesets(double top, double bottom);
   void AddShortFaults();
-  void AddStatics();
   /// Before faults and channels; nan where the layer is eroded, or was never laid down.
   double LaidPlace(const Layer& layer, int i, int j) const;
   double UnconformityPlace(int i, int j) const;
@@ -100,11 +100,11 @@ private:
   double Period() const { return 1000.0 / (this->Given.Frequency * this->Given.SampleInterval); }
 
   CubeGeneratorOptions Given;
+  TraceStatics Shifts;
   std::vector<Layer> Layers;
   std::vector<ShortFault> Faults;
   std::size_t Toplap = 0; // the layer that foresets come down from
   double ForesetHeight = 0.0;
-  std::vector<double> Shifts; // of traces, in samples; none without statics
 };
 }
 
