@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -38,13 +39,8 @@ std::vector<LatticeHorizon> ExtractGuided(
   const CubeGenerator& cube, const ExtractionOptions& options, const std::vector<Guide>& guides)
 {
   std::vector<Guide> given;
-  for (const Guide& guide : guides)
-  {
-    if (!guide.Picks.empty())
-    {
-      given.push_back(guide);
-    }
-  }
+  std::copy_if(
+    guides.begin(), guides.end(), std::back_inserter(given), [](const Guide& guide) { return !guide.Picks.empty(); });
   std::vector<LatticeHorizon> found = ExtractFrom(cube, options, given).Surfaces;
   std::vector<LatticeHorizon> surfaces(guides.size());
   std::size_t next = 0;
@@ -54,18 +50,6 @@ std::vector<LatticeHorizon> ExtractGuided(
     {
       surfaces[n] = std::move(found[next++]);
     }
-  }
-  return surfaces;
-}
-
-std::vector<LatticeHorizon> TrackAll(const CubeGenerator& cube, const std::vector<Guide>& guides)
-{
-  const std::vector<float> traces = cube.MakeTraces();
-  const double period = 1000.0 / (cube.Options().Frequency * cube.Options().SampleInterval);
-  std::vector<LatticeHorizon> surfaces;
-  for (const Guide& guide : guides)
-  {
-    surfaces.push_back(TrackPlainly(traces, cube.Options().Size, period, guide));
   }
   return surfaces;
 }
@@ -137,6 +121,18 @@ GuideScore ScorePlan(const CubeGenerator& cube, const ExtractionOptions& options
   return ScoreGuided(cube, ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed)));
 }
 
+GuideScore ScorePlainly(const CubeGenerator& cube, const GuidedPlan& plan)
+{
+  const std::vector<float> traces = cube.MakeTraces();
+  const double period = 1000.0 / (cube.Options().Frequency * cube.Options().SampleInterval);
+  std::vector<LatticeHorizon> surfaces;
+  for (const Guide& guide : MakeGuides(cube, plan.Picks, cube.Options().Seed))
+  {
+    surfaces.push_back(TrackPlainly(traces, cube.Options().Size, period, guide));
+  }
+  return ScoreGuided(cube, surfaces);
+}
+
 void PrintGuidedTable(int cubes)
 {
   ExtractionOptions options = TakeAll();
@@ -156,9 +152,7 @@ void PrintGuidedTable(int cubes)
   for (const GuidedPlan& plan : GuidedPlans)
   {
     PrintGuidedRow(plan.Name, byNoise, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, plan); });
-    PrintGuidedRow("- plain tracker", byNoise,
-      [&](const CubeGenerator& cube)
-      { return ScoreGuided(cube, TrackAll(cube, MakeGuides(cube, plan.Picks, cube.Options().Seed))); });
+    PrintGuidedRow("- plain tracker", byNoise, [&](const CubeGenerator& cube) { return ScorePlainly(cube, plan); });
   }
 }
 
@@ -302,14 +296,12 @@ void PrintSamplingTable(int cubes)
 void PrintTroubleTable(int cubes)
 {
   ExtractionOptions options = TakeAll();
-  std::printf("| trouble | no picks | 5 picks | plain tracker, 5 | 20 picks |\n| --- | --- | --- | --- | --- |\n");
+  std::printf("| trouble | no picks | 1 pick | 5 picks | 20 picks |\n| --- | --- | --- | --- | --- |\n");
   std::map<std::string, std::set<Trouble>> rows = { { "(none)", {} } };
   for (const auto& [name, trouble] : TroubleNames())
   {
     rows[name] = { trouble };
   }
-  const auto guidesOf = [](const CubeGenerator& cube, int plan)
-  { return MakeGuides(cube, GuidedPlans[std::size_t(plan)].Picks, cube.Options().Seed); };
   for (const auto& [name, troubles] : rows)
   {
     const std::vector<CubeGenerator> generators = MakeWildCubes(cubes,
@@ -323,10 +315,16 @@ void PrintTroubleTable(int cubes)
     std::printf("| %s |", name.c_str());
     PrintScore(
       generators, [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
-    PrintScore(generators, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, GuidedPlans[1]); });
-    PrintScore(
-      generators, [&](const CubeGenerator& cube) { return ScoreGuided(cube, TrackAll(cube, guidesOf(cube, 1))); });
-    PrintScore(generators, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, GuidedPlans[4]); });
+    const std::array<GuidedPlan, 3> plans = { GuidedPlans[0], GuidedPlans[1], GuidedPlans[4] };
+    for (const GuidedPlan& plan : plans)
+    {
+      PrintScore(generators, [&](const CubeGenerator& cube) { return ScorePlan(cube, options, plan); });
+    }
+    std::printf("\n| - plain tracker | |");
+    for (const GuidedPlan& plan : plans)
+    {
+      PrintScore(generators, [&](const CubeGenerator& cube) { return ScorePlainly(cube, plan); });
+    }
     std::printf("\n");
   }
 }
@@ -354,10 +352,11 @@ constexpr const char* Troubles = R"(
 ## Other troubles
 
 Parts of wild cubes, of 90 x 80 traces, with 25 % noise: half white, half in band and similar in neighbouring columns,
-as after migration. Each has one more problem (`generate_cube --trouble`): amplitudes clipped to 8 bits, three strips of
-dead traces, an acquisition footprint, a gas cloud that weakens and delays, multiples that cross reflectors, polarity
-that reverses along every reflector, a bright reef with steep flanks, a salt plug with upturned flanks, or a wavelet
-whose frequency falls to 0.4 of its value. Entries as under *Guided*.
+as after migration. Each has one more problem (`generate_cube --trouble`): clinoforms that downlap on the unconformity,
+amplitudes clipped to 8 bits, three strips of dead traces, an acquisition footprint, a gas cloud that weakens and
+delays, a growth fault with rollover and drag, multiples that cross reflectors, polarity that reverses along every
+reflector, a bright reef with steep flanks, a salt plug with upturned flanks, smiles of migration, residual statics, or
+a wavelet whose frequency falls to 0.4 of its value. Entries as under *Guided*.
 
 )";
 

@@ -104,6 +104,48 @@ CubeGenerator::CubeGenerator(const CubeGeneratorOptions& options)
     this->Wavelet.push_back(RickerWavelet(options.Frequency, TimeOf(sample, options.SampleInterval)));
   }
   this->MakePlaneWaves();
+  this->MakeSmiles();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Of every two one is at a side of the cube, where migration lacks the traces that would cancel it.
+void CubeGenerator::MakeSmiles()
+{
+  const int smiles = this->Given.Has(Trouble::Smiles) ? 12 : 0;
+  constexpr double columnsPerTime = 0.05; // 1 / ms: half of 2500 m/s, and columns of 25 m
+  for (int n = 0; n < smiles; ++n)
+  {
+    const auto random = [&](int which) { return Random(Mix(this->Given.Seed + 0x7E7EU), n, which); };
+    Smile smile;
+    smile.Middle = { random(0) * this->Given.Size[0], random(1) * this->Given.Size[1] };
+    if (n % 2 == 1)
+    {
+      const auto axis = std::size_t(n / 2 % 2);
+      smile.Middle[axis] = random(2) < 0.5 ? 0.0 : this->Given.Size[axis] - 1.0;
+    }
+    smile.Bottom = (0.3 + 0.75 * random(3)) * this->Given.Size[2];
+    smile.Radius = columnsPerTime * this->Given.SampleInterval * smile.Bottom;
+    smile.Strength = (random(4) < 0.5 ? -1.0 : 1.0) * (0.4 + 0.5 * random(5));
+    this->Smiles.push_back(smile);
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void CubeGenerator::AddSmiles(int i, int j, float* trace) const
+{
+  constexpr double aperture = 0.8; // of the radius, where they have faded
+  for (const Smile& smile : this->Smiles)
+  {
+    const double x = (i - smile.Middle[0]) / smile.Radius;
+    const double y = (j - smile.Middle[1]) / smile.Radius;
+    const double part = (x * x + y * y) / (aperture * aperture);
+    if (part < 1.0)
+    {
+      // Migration stretches the wavelet where it dips.
+      const double cosine = std::sqrt(1.0 - x * x - y * y);
+      this->AddWavelet(smile.Bottom * cosine, smile.Strength * (1.0 - part), trace, cosine);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -133,15 +175,15 @@ void CubeGenerator::MakePlaneWaves()
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void CubeGenerator::AddWavelet(double place, double strength, float* trace) const
+void CubeGenerator::AddWavelet(double place, double strength, float* trace, double times) const
 {
   if (!(place == place))
   {
     return;
   }
   constexpr double fall = 0.6;
-  const double frequency =
-    this->Given.Frequency * (this->Given.Has(Trouble::Wavelet) ? 1.0 - fall * place / this->Given.Size[2] : 1.0);
+  const double frequency = times * this->Given.Frequency *
+    (this->Given.Has(Trouble::Wavelet) ? 1.0 - fall * place / this->Given.Size[2] : 1.0);
   const double reach = std::sqrt(LargestExponent) / (Pi * frequency) * 1000.0 / this->Given.SampleInterval + 1.0;
   const int first = std::max(0, int(std::ceil(place - reach)));
   const int last = std::min(this->Given.Size[2] - 1, int(std::floor(place + reach)));
@@ -318,6 +360,7 @@ std::vector<float> CubeGenerator::MakeTraces() const
   forEachTrace(
     [&, nZ = nZ](int i, int j, float* trace)
     {
+      this->AddSmiles(i, j, trace);
       if (height > 0.0)
       {
         this->AddNoise(i, j, height, trace);

@@ -35,12 +35,15 @@ public:
 
 private:
   void AddSignal(int i, int j, float* trace) const;
-  void AddWavelet(double place, double strength, float* trace) const;
+  /// Of so many times the frequency that the cube has there.
+  void AddWavelet(double place, double strength, float* trace, double times = 1.0) const;
   void AddNoise(int i, int j, double height, float* trace) const;
   /// When a multiple comes after its reflector, in samples.
   double MultipleDelay(int i, int j) const;
   void Clip(std::vector<float>& traces) const;
   void MakePlaneWaves();
+  void MakeSmiles();
+  void AddSmiles(int i, int j, float* trace) const;
   /// Random numbers of variance 1, and so many samples more, as the wavelet moves them.
   std::vector<double> InBand(const std::vector<double>& random) const;
   std::vector<double> LateralRandom(std::uint64_t seed, int i, int j, std::size_t size) const;
@@ -54,11 +57,21 @@ private:
     std::vector<double> Samples;
   };
 
+  /// What migration makes of a burst of noise: a bowl that rises from it, to the surface at `Radius` columns.
+  struct Smile
+  {
+    std::array<double, 2> Middle = { 0.0, 0.0 };
+    double Bottom = 0.0;
+    double Radius = 1.0;
+    double Strength = 1.0;
+  };
+
   CubeGeneratorOptions Given;
   CubeReflectors Reflectors;
   std::vector<double> Wavelet; // at whole samples, for noise of its frequencies
   std::array<double, 2> Turn = { 1.0, 0.0 }; // cosine and sine of the phase
   std::vector<PlaneWave> Waves;
+  std::vector<Smile> Smiles;
 };
 
 /// (1 - 2a) exp(-a) with a = (pi frequency time)^2: a wavelet of amplitude 1 at time 0. Time in seconds.

@@ -14,7 +14,8 @@ const std::map<std::string, Trouble>& TroubleNames()
   static const std::map<std::string, Trouble> names = { { "polarity", Trouble::Polarity },
     { "wavelet", Trouble::Wavelet }, { "multiples", Trouble::Multiples }, { "dead-strips", Trouble::DeadStrips },
     { "gas-cloud", Trouble::GasCloud }, { "salt", Trouble::Salt }, { "reef", Trouble::Reef },
-    { "footprint", Trouble::Footprint }, { "clipped", Trouble::Clipped } };
+    { "footprint", Trouble::Footprint }, { "clipped", Trouble::Clipped }, { "statics", Trouble::Statics },
+    { "smiles", Trouble::Smiles }, { "growth-fault", Trouble::GrowthFault }, { "clinoforms", Trouble::Clinoforms } };
   return names;
 }
 

@@ -34,7 +34,12 @@ enum class Trouble
   Salt, // a plug with upturned flanks
   Reef, // a bright and rough top with steep flanks on the middle reflector
   Footprint, // amplitudes change from line to line
-  Clipped // to 8 bits at the root mean square
+  Clipped, // to 8 bits at the root mean square
+  Statics, // traces are shifted: line by line as sources and receivers are, in patches, and each by a little
+  Smiles, // arcs of bursts of noise, inside and at the sides, as migration spreads them
+  GrowthFault, // the long fault flattens downwards; layers laid down while it moved are thicker beyond it, bend down
+  // to it, and are dragged along it
+  Clinoforms // foresets from a surface above down to the unconformity, and nowhere else
 };
 
 /// By the names that generate_cube knows.

@@ -3,7 +3,7 @@
 
 #include "CubeReflectors.h"
 
-#include "SmoothNoise.h"
+#include "CubeRandom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,50 +14,32 @@ namespace SeismicHorizons
 namespace
 {
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
-
-/// What random numbers are for.
-enum Purpose : std::uint64_t
-{
-  Folds = 1,
-  LayerShape,
-  LayerSpacing,
-  LayerStrength,
-  Fades,
-  ChannelCourse,
-  DeadTraces,
-  MissingTraces,
-  Erosion,
-  FaultShape,
-  ReefShape,
-  TurningLine
-};
-
-double RandomOf(std::uint64_t seed, Purpose purpose, std::int64_t i, std::int64_t j)
-{
-  return Random(Mix(seed + Mix(purpose)), i, j);
-}
-
-double SmoothOf(std::uint64_t seed, Purpose purpose, double x, double y, int octaves)
-{
-  return FractalNoise(Mix(seed + Mix(purpose)), x, y, octaves);
-}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 CubeReflectors::CubeReflectors(const CubeGeneratorOptions& options)
   : Given(options)
+  , Shifts(options)
 {
   double depth = options.FoldHeight + 0.5 * options.Spacing;
   const double last = options.Size[2] - 0.5 * options.Spacing;
   const double eroded = 0.45 * options.Size[2];
+  const bool hasForesets = options.Has(Trouble::Clinoforms);
+  const bool hasUnconformity = options.HasUnconformity || hasForesets;
+  const double foresets = hasForesets ? std::max(options.FoldHeight, eroded - 2.2 * options.Spacing) : eroded;
+  bool isOld = false;
   for (int n = 0; depth < last; ++n)
   {
-    const bool isOld = options.HasUnconformity && depth > eroded;
-    if (isOld && this->Layers.back().Kind == LayerKind::Young)
+    if (hasUnconformity && depth > eroded && !isOld)
     {
+      isOld = true;
+      this->AddForesets(foresets, eroded);
       this->AddLayer(eroded, LayerKind::Unconformity);
     }
-    this->AddLayer(depth, !options.HasUnconformity ? LayerKind::Plain : (isOld ? LayerKind::Old : LayerKind::Young));
+    if (!hasForesets || isOld || depth < foresets - 0.7 * options.Spacing)
+    {
+      this->AddLayer(depth, !hasUnconformity ? LayerKind::Plain : (isOld ? LayerKind::Old : LayerKind::Young));
+    }
     depth +=
       options.Spacing * (1.0 + options.SpacingVariation * (2.0 * RandomOf(options.Seed, LayerSpacing, n, 0) - 1.0));
   }
@@ -86,9 +68,29 @@ void CubeReflectors::AddLayer(double depth, LayerKind kind)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+void CubeReflectors::AddForesets(double top, double bottom)
+{
+  if (!this->Given.Has(Trouble::Clinoforms))
+  {
+    return;
+  }
+  constexpr double gap = 16.0; // columns, from edge to edge
+  this->ForesetHeight = bottom - top;
+  this->Toplap = this->Layers.size();
+  this->AddLayer(top, LayerKind::Young);
+  // The youngest, which reaches farthest, is above all others.
+  for (double edge = this->Given.Size[0]; edge > -2.5 * gap;)
+  {
+    this->AddLayer(top, LayerKind::Foreset);
+    this->Layers.back().Edge = edge;
+    edge -= gap * (0.75 + 0.5 * RandomOf(this->Given.Seed, ForesetShape, this->Size(), 0));
+  }
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 void CubeReflectors::AddShortFaults()
 {
-  const double period = 1000.0 / (this->Given.Frequency * this->Given.SampleInterval);
+  const double period = this->Period();
   for (int n = 0; n < this->Given.ShortFaults; ++n)
   {
     const auto random = [&](std::int64_t which) { return RandomOf(this->Given.Seed, FaultShape, n, which); };
@@ -117,8 +119,22 @@ double CubeReflectors::ShortFault::ThrowAt(double i, double j) const
 double CubeReflectors::UnconformityPlace(int i, int j) const
 {
   constexpr double width = 45.0; // columns
-  return 0.45 * this->Given.Size[2] +
-    this->Given.Spacing * SmoothOf(this->Given.Seed, Erosion, i / width, j / width, 2);
+  const double relief = this->Given.Spacing * (this->Given.Has(Trouble::Clinoforms) ? 0.3 : 1.0);
+  return 0.45 * this->Given.Size[2] + relief * SmoothOf(this->Given.Seed, Erosion, i / width, j / width, 2);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// Steepest at the middle. What would be below the unconformity was never laid down.
+double CubeReflectors::ForesetPlace(const Layer& foreset, int i, int j) const
+{
+  constexpr double lobe = 8.0; // columns
+  constexpr double width = 30.0;
+  const double length = 12.5 * this->ForesetHeight / this->Period(); // columns
+  const double edge = foreset.Edge + lobe * SmoothOf(this->Given.Seed, ForesetShape, j / width, 0.5, 1);
+  const double part = (i - edge) / length;
+  const double drop = 0.625 * this->ForesetHeight * (part + SmoothStep(std::min(1.0, part)));
+  const double place = this->LaidPlace(this->Layers[this->Toplap], i, j) + drop;
+  return part > 0.0 && place < this->UnconformityPlace(i, j) ? place : None;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -133,7 +149,9 @@ double CubeReflectors::FaultDistance(double i, double j, double sample) const
   // Oblique to rows and columns, through the middle of the cube.
   const double middle = 0.5 * (this->Given.Size[2] - 1) * this->Given.FaultDip;
   const double along = 0.4 * (j - 0.5 * (this->Given.Size[1] - 1));
-  return i - 0.5 * (this->Given.Size[0] - 1) + along + middle - sample * this->Given.FaultDip;
+  // A growth fault is twice as steep at the top, and flattens below.
+  const double part = this->Given.Has(Trouble::GrowthFault) ? 0.5 + sample / this->Given.Size[2] : 1.0;
+  return i - 0.5 * (this->Given.Size[0] - 1) + along + middle - part * sample * this->Given.FaultDip;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -142,6 +160,10 @@ double CubeReflectors::LaidPlace(const Layer& layer, int i, int j) const
   constexpr double foldWidth = 48.0; // columns
   constexpr double shapeWidth = 30.0;
   constexpr double shapeHeight = 0.06; // of the spacing
+  if (layer.Kind == LayerKind::Foreset)
+  {
+    return this->ForesetPlace(layer, i, j);
+  }
   const double growth = 0.6 + 0.4 * layer.Depth / this->Given.Size[2];
   const double place = layer.Depth + growth * this->Given.FoldHeight * this->Fold(i / foldWidth, j / foldWidth) +
     shapeHeight * this->Given.Spacing * SmoothOf(layer.Seed, LayerShape, i / shapeWidth, j / shapeWidth, 1);
@@ -176,11 +198,39 @@ double CubeReflectors::FaultedPlace(const Layer& layer, int i, int j) const
     const double moved = place + fault.ThrowAt(i, j);
     place = !isBeyond(place) ? place : (isBeyond(moved) ? moved : None);
   }
+  if (this->Given.Has(Trouble::GrowthFault))
+  {
+    return this->BesideGrowthFault(place, i, j);
+  }
   const double thrown = place + this->Given.FaultThrow;
   if (this->Given.FaultThrow == 0.0 || this->FaultDistance(i, j, place) < 0.0)
   {
     return place;
   }
+  return this->FaultDistance(i, j, thrown) > 0.0 ? thrown : None;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+// The fault moved while the layers from its top down to three quarters were laid down: younger ones are thrown by less.
+double CubeReflectors::BesideGrowthFault(double place, int i, int j) const
+{
+  const double age = std::clamp((place / this->Given.Size[2] - 0.15) / 0.6, 0.0, 1.0);
+  const double whole = SmoothStep(age) * (this->Given.FaultThrow + 2.0 * this->Period());
+  const double width = 3.0 + 0.4 * whole; // columns
+  const auto drag = [whole, width](double distance)
+  {
+    const double nearness = std::max(0.0, 1.0 - distance / width);
+    return 0.2 * whole * nearness * nearness;
+  };
+  const double stayed = place + drag(std::max(0.0, -this->FaultDistance(i, j, place)));
+  if (this->FaultDistance(i, j, stayed) < 0.0)
+  {
+    return stayed;
+  }
+  constexpr double rollover = 30.0; // columns
+  const double distance = std::max(0.0, this->FaultDistance(i, j, place + whole));
+  const double part = distance / rollover;
+  const double thrown = place + whole * (0.55 + 0.45 / (1.0 + part * part)) - drag(distance);
   return this->FaultDistance(i, j, thrown) > 0.0 ? thrown : None;
 }
 
@@ -194,7 +244,8 @@ double CubeReflectors::LayerPlace(const Layer& layer, int i, int j) const
     place = this->BesideSalt(place, i, j);
   }
   constexpr double delay = 6.0; // samples
-  return this->Given.Has(Trouble::GasCloud) ? place + delay * this->InGas(place, i, j) : place;
+  place += this->Given.Has(Trouble::GasCloud) ? delay * this->InGas(place, i, j) : 0.0;
+  return place + this->Shifts.At(i, j);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #define SeismicHorizonsCubeReflectors_h
 
 #include "CubeGeneratorOptions.h"
+#include "TraceStatics.h"
 
 #include <array>
 #include <cstdint>
@@ -48,6 +49,7 @@ private:
     Plain, // of a cube without unconformity
     Old,
     Young,
+    Foreset,
     Unconformity
   };
 
@@ -57,6 +59,7 @@ private:
     double Depth = 0.0;
     double Strength = 1.0;
     std::uint64_t Seed = 0;
+    double Edge = 0.0; // of a foreset: where it leaves the surface above
     bool IsReef = false;
   };
 
@@ -73,10 +76,14 @@ private:
   };
 
   void AddLayer(double depth, LayerKind kind);
+  /// Between two depths.
+  void AddForesets(double top, double bottom);
   void AddShortFaults();
   /// Before faults and channels; nan where the layer is eroded, or was never laid down.
   double LaidPlace(const Layer& layer, int i, int j) const;
   double UnconformityPlace(int i, int j) const;
+  double ForesetPlace(const Layer& foreset, int i, int j) const;
+  double BesideGrowthFault(double place, int i, int j) const;
   double FaultedPlace(const Layer& layer, int i, int j) const;
   /// Before channels.
   double LayerPlace(const Layer& layer, int i, int j) const;
@@ -89,10 +96,15 @@ private:
   /// Half the width of a channel less the distance to its middle, in columns.
   double InsideChannel(int channel, int i, int j) const;
   double Fold(double x, double y) const;
+  /// Of the wavelet, in samples.
+  double Period() const { return 1000.0 / (this->Given.Frequency * this->Given.SampleInterval); }
 
   CubeGeneratorOptions Given;
+  TraceStatics Shifts;
   std::vector<Layer> Layers;
   std::vector<ShortFault> Faults;
+  std::size_t Toplap = 0; // the layer that foresets come down from
+  double ForesetHeight = 0.0;
 };
 }
 

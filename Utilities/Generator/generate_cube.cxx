@@ -45,8 +45,8 @@ and y at 181 and 185; a turned survey). The same options give the same file ever
   --coherent        noise of dipping plane waves
   --mixed           noise of all three kinds
   --lateral         half white, and half in band and alike in columns nearby
-  --trouble NAME    polarity (it turns), wavelet (longer below), multiples, dead-strips, gas-cloud, salt, reef, footprint
-                    or clipped (to 8 bits); several may be given
+  --trouble NAME    polarity (it turns), wavelet (longer below), multiples, dead-strips, gas-cloud, salt, reef, footprint,
+                    clipped (to 8 bits), statics, smiles (of migration), growth-fault or clinoforms; several may be given
   --seed N          another number gives another cube (default 1)
   --truth TEXT      another file, with the place of each reflector in each column as text
   --help            this text

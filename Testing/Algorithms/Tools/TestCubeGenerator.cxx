@@ -288,42 +288,6 @@ void TestSame()
   CHECK_EQUAL(hash, 4762826659664679606u);
 }
 
-/// Whatever the trouble, reflectors are where the truth has them, with its sign, and the cube is another one.
-void TestTroubles()
-{
-  CubeGeneratorOptions options = SmallCube();
-  options.Spacing = 36.0;
-  options.SmallestStrength = 0.7;
-  const std::vector<float> plain = CubeGenerator(options).MakeTraces();
-  CHECK_EQUAL(TroubleNames().size(), 9u);
-  for (const auto& [name, trouble] : TroubleNames())
-  {
-    options.Troubles = { trouble };
-    const CubeGenerator cube(options);
-    const std::vector<float> traces = cube.MakeTraces();
-    CHECK(traces != plain);
-    int places = 0;
-    int agree = 0;
-    for (int n = 0; n < cube.Truth().Size(); ++n)
-    {
-      for (int column = 0; column < options.Size[0] * options.Size[1]; ++column)
-      {
-        const int i = column % options.Size[0];
-        const int j = column / options.Size[0];
-        const double place = cube.Truth().Place(n, i, j);
-        const double strength = cube.Truth().Strength(n, i, j);
-        if (!std::isnan(place) && std::abs(strength) > 0.1 && !cube.Truth().IsDead(i, j))
-        {
-          ++places;
-          agree += TraceOf(traces, options, i, j)[std::lround(place)] * strength > 0.0 ? 1 : 0;
-        }
-      }
-    }
-    CHECK(places > 2000);
-    CHECK(agree > 0.93 * places);
-  }
-}
-
 void TestErrors()
 {
   const auto refuse = [](auto&& change, const std::string& message)
@@ -349,7 +313,6 @@ int TestCubeGenerator(int, char*[])
   TestFeatures();
   TestFile();
   TestSame();
-  TestTroubles();
   TestErrors();
   return Check::Result();
 }
