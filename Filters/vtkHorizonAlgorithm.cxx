@@ -155,6 +155,16 @@ void vtkHorizonAlgorithm::ShareHorizons(
 }
 
 //------------------------------------------------------------------------------
+void vtkHorizonAlgorithm::ProcessOnRanks(
+  const RankedHorizon& horizon, const Ranks& ranks, const Monitor&, const std::function<void()>& process)
+{
+  if (horizon.Rank == ranks.Own())
+  {
+    process();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHorizonAlgorithm::Warn(const std::string& text)
 {
   vtkWarningMacro(<< this->HorizonName << (this->HorizonName.empty() ? "" : ": ") << text);
@@ -240,22 +250,36 @@ int vtkHorizonAlgorithm::RequestData(
     const auto end = outputs.begin() + this->GetNumberOfHorizonPorts();
     ranks.Together([&]() { horizons = ListHorizons(input, { outputs.begin(), end }); });
     // This throws if several ranks have points of a horizon.
-    this->ShareHorizons(horizons, ListOnRanks(horizons, ranks), ranks);
+    const std::vector<RankedHorizon> all = ListOnRanks(horizons, ranks);
+    this->ShareHorizons(horizons, all, ranks);
     ranks.Together(
       [&]()
       {
         const double size = double(horizons.size());
-        for (std::size_t n = 0; n < horizons.size(); ++n)
+        std::vector<unsigned char> isDone(horizons.size(), 0);
+        const auto process = [&](std::size_t n)
         {
           const HorizonLeaf& horizon = horizons[n];
           subject = this->HorizonName = horizon.Name;
-          if (horizon.Input->GetNumberOfPoints() > 0)
+          if (horizon.Input->GetNumberOfPoints() > 0 && isDone[n] == 0)
           {
             const Monitor step = monitor.Step(double(n) / size, double(n + 1) / size);
             const Horizon given = FromVTK(horizon.Input);
             const Outputs made = this->Process(given, horizon, step);
             report.Add(horizon, given, made.front());
           }
+          isDone[n] = 1;
+        };
+        for (const RankedHorizon& one : all)
+        {
+          if (ranks.Size() > 1 && this->IsForAllRanks(one))
+          {
+            this->ProcessOnRanks(one, ranks, monitor, [&]() { process(one.Leaf); });
+          }
+        }
+        for (std::size_t n = 0; n < horizons.size(); ++n)
+        {
+          process(n);
         }
         subject.clear();
         this->ProcessOutputs(outputs);

@@ -28,6 +28,7 @@
 #include "vtkHorizonStage.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+#include <functional> // for work on several ranks
 #include <string> // for the results
 #include <vector> // for the outputs
 
@@ -80,6 +81,13 @@ protected:
   /// several at once. Collective.
   virtual void ShareHorizons(const std::vector<SeismicHorizons::HorizonLeaf>& own,
     const std::vector<SeismicHorizons::RankedHorizon>& all, const SeismicHorizons::Ranks& ranks);
+
+  /// Whether ranks process a horizon together. The answer is the same on all.
+  virtual bool IsForAllRanks(const SeismicHorizons::RankedHorizon&) { return false; }
+
+  /// Calls process(monitor) on the rank of such a horizon, while others help. Collective.
+  virtual void ProcessOnRanks(const SeismicHorizons::RankedHorizon& horizon, const SeismicHorizons::Ranks& ranks,
+    const SeismicHorizons::Monitor& monitor, const std::function<void()>& process);
 
   /// The first ports have horizons; by default all have.
   virtual int GetNumberOfHorizonPorts() { return this->GetNumberOfOutputPorts(); }

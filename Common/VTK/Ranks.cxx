@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <numeric>
 
 namespace SeismicHorizons
@@ -22,6 +23,8 @@ namespace SeismicHorizons
 namespace
 {
 constexpr int DatasetTag = 5011;
+constexpr int SizeTag = 5012;
+constexpr int BytesTag = 5013;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -89,6 +92,26 @@ void Ranks::Refuse(const std::string& problem) const
     throw InputError(problem);
   }
   throw Aborted();
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+void Ranks::Send(const std::vector<char>& bytes, int rank) const
+{
+  assert(this->Controller && rank != this->Number);
+  const auto size = vtkIdType(bytes.size());
+  this->Controller->Send(&size, 1, rank, SizeTag);
+  this->Controller->Send(bytes.data(), size, rank, BytesTag);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::vector<char> Ranks::ReceiveBytes(int rank) const
+{
+  assert(this->Controller && rank != this->Number);
+  vtkIdType size = 0;
+  this->Controller->Receive(&size, 1, rank, SizeTag);
+  std::vector<char> bytes(static_cast<std::size_t>(size));
+  this->Controller->Receive(bytes.data(), size, rank, BytesTag);
+  return bytes;
 }
 
 //----------------------------------------------------------------------------------------------------------------------

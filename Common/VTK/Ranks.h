@@ -69,6 +69,9 @@ public:
   /// All ranks call this for a common problem, which only the first reports; further ranks throw Aborted.
   [[noreturn]] void Refuse(const std::string& problem) const;
 
+  /// Wait until the other rank receives.
+  void Send(const std::vector<char>& bytes, int rank) const;
+  std::vector<char> ReceiveBytes(int rank) const;
   void Send(vtkDataObject* data, int rank) const;
   void Receive(vtkDataObject* data, int rank) const;
 

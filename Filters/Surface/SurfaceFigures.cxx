@@ -44,6 +44,7 @@ SurfaceOptions MakeSurfaceOptions(const SurfaceStageOptions& given, const ErrorL
   options.OutlineTolerance = given.OutlineTolerance;
   options.DistanceThreshold = given.DistanceThreshold;
   options.RowsOfPart = given.RowsOfPart;
+  options.Ranks = given.Ranks;
   return options;
 }
 

@@ -16,6 +16,8 @@
 
 namespace SeismicHorizons
 {
+class PartRanks;
+
 /// Parameters without a value are chosen.
 struct SurfaceStageOptions : ReducedMeshOptions
 {
@@ -29,6 +31,7 @@ struct SurfaceStageOptions : ReducedMeshOptions
   std::optional<double> OutlineTolerance;
   std::optional<double> DistanceThreshold;
   std::int32_t RowsOfPart = 0; // Chosen if 0; others are for tests.
+  const PartRanks* Ranks = nullptr; // which mesh a large horizon together
 };
 
 /// Fills both outputs, which have the field data: the mesh, and the outlines with all points. Returns warnings.

@@ -42,6 +42,11 @@
 #include "vtkHorizonReducedMesh.h"
 #include "vtkSeismicHorizonsModule.h" // for the export macro
 
+namespace SeismicHorizons
+{
+class PartRanks;
+}
+
 class VTKSEISMICHORIZONS_EXPORT vtkHorizonSurface : public vtkHorizonReducedMesh
 {
 public:
@@ -135,6 +140,9 @@ protected:
 
   void ProcessHorizon(
     const SeismicHorizons::Horizon& input, Outputs& outputs, const SeismicHorizons::Monitor& monitor) override;
+  bool IsForAllRanks(const SeismicHorizons::RankedHorizon& horizon) override;
+  void ProcessOnRanks(const SeismicHorizons::RankedHorizon& horizon, const SeismicHorizons::Ranks& ranks,
+    const SeismicHorizons::Monitor& monitor, const std::function<void()>& process) override;
 
 private:
   vtkHorizonSurface(const vtkHorizonSurface&) = delete;
@@ -154,6 +162,7 @@ private:
   double OutlineTolerance = 0.0;
   bool AutomaticDistanceThreshold = true;
   double DistanceThreshold = 0.4;
+  const SeismicHorizons::PartRanks* Helpers = nullptr; // while ranks process a horizon together
 };
 
 #endif

@@ -8,8 +8,10 @@ Arguments: the folder of the data.
 import pathlib
 import sys
 
+import numpy
 from seismichorizons import vtk as sh
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
@@ -104,6 +106,34 @@ def check_split(horizon):
     assert points(output) == (points(horizon) if OWN == 1 else 0)
 
 
+def check_large(like):
+    """Ranks mesh three bands of one horizon together: the same as the one that has its points. All end if it is refused."""
+    side = 3600
+    horizon = vtkPolyData()
+    if OWN == 1:
+        x, y = numpy.meshgrid(numpy.arange(side, dtype=float), numpy.arange(side, dtype=float))
+        z = numpy.rint(200 + 150 * numpy.sin(x / 300) * numpy.cos(y / 400))
+        places = vtkPoints()
+        places.SetDataTypeToDouble()
+        places.SetData(numpy_to_vtk(numpy.stack([x.ravel(), y.ravel(), z.ravel()], 1), deep=True))
+        horizon.SetPoints(places)
+    refused, errors, _ = run("HorizonSurface", horizon)
+    assert points(refused) == 0
+    assert errors == OWN, errors
+    horizon.GetFieldData().PassData(like.GetFieldData())
+    size = numpy_to_vtk(numpy.array([side, side, 400], dtype=numpy.int32), deep=True)
+    size.SetName("LatticeDimensions")
+    horizon.GetFieldData().RemoveArray("LatticeDimensions")
+    horizon.GetFieldData().AddArray(size)
+    together, errors, _ = run("HorizonSurface", horizon, MaximumError=2.0)
+    assert errors == 0
+    assert (points(together) > 0) == (OWN == 1)
+    if OWN == 1:
+        mesh = alone("HorizonSurface", horizon, MaximumError=2.0)
+        for of in (lambda data: data.GetPoints().GetData(), lambda data: data.GetPolys().GetConnectivityArray()):
+            assert numpy.array_equal(vtk_to_numpy(of(together)), vtk_to_numpy(of(mesh)))
+
+
 def check_extraction():
     """Surfaces of a cube: each rank has every second one, as one process has them all."""
     wavelet = vtkRTAnalyticSource()
@@ -158,6 +188,7 @@ def main():
     check_split(next(iter(horizons.values())))
     check_invalid(horizons)
     check_extraction()
+    check_large(next(iter(horizons.values())))
     print("rank %d: done" % OWN)
 
 

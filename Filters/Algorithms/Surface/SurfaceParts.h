@@ -10,6 +10,9 @@
 //     ...|...........|...     strip too far away, triangles around are made anew.
 //        |  band     |
 //     ---+-----------+---     Bands depend on the lattice alone, so the mesh does not depend on where the points are.
+//
+// Bands are meshed side by side, then strips of even cuts, which have no triangle in common, then strips of odd cuts, and
+// at last what is left beside two strips.
 
 #ifndef SeismicHorizonsSurfaceParts_h
 #define SeismicHorizonsSurfaceParts_h
