@@ -19,8 +19,8 @@ namespace SeismicHorizons
 {
 namespace
 {
-// The half width of growth, in dominant periods, is short, to pass where layers thin out, but shorter ones follow noise.
-constexpr double GrowthWaveform = 2.25;
+// The half width of growth, in dominant periods, is short, to pass where layers thin out.
+constexpr double GrowthWaveform = 1.5;
 
 // Runs make the period some percent short, and on steep flanks growth needs the whole step.
 constexpr double StepPerTruePeriod = 0.32;
