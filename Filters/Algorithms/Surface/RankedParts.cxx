@@ -156,7 +156,7 @@ private:
   std::optional<BandMesher> Mesher;
 };
 
-void WriteCuts(const LinkCuts* cuts, ByteBuffer& bytes)
+void WriteCutLinks(const LinkCuts* cuts, ByteBuffer& bytes)
 {
   if (cuts)
   {
@@ -254,7 +254,7 @@ void MeshOnRanks(BandMesher& mesher, const PointRows& rows, std::int32_t rowsOfB
     bytes.Write(parameters);
     bytes.Write(rowsOfBand);
     SentRows::Write(rows, boundary, firstRow, lastRow, bytes);
-    WriteCuts(options.Cuts, bytes);
+    WriteCutLinks(options.Cuts, bytes);
     bytes.WriteAll(shared);
     WriteLoops(boundary, bytes);
   }

@@ -5,9 +5,8 @@
 
 #include "Common/Horizon/MeshChecker.h"
 #include "Common/Horizon/Predicates.h"
-#include "Filters/Algorithms/Surface/RankedParts.h"
 #include "Filters/Algorithms/Surface/RowSurface.h"
-#include "Generator/HorizonGenerator.h"
+#include "PartInputs.h"
 #include "SurfaceFit.h"
 #include "SurfaceInputs.h"
 #include "Tools/BoundaryChecker.h"
@@ -20,15 +19,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <condition_variable>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <functional>
-#include <future>
-#include <list>
-#include <mutex>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -36,6 +28,7 @@
 
 using namespace SeismicHorizons;
 using namespace SurfaceInputs;
+using namespace PartInputs;
 
 namespace
 {
@@ -71,23 +64,6 @@ std::string Check(const Points& points, const Surface& surface, double error, bo
   return wrong.empty() ? text.str() : wrong;
 }
 
-Points SortedByRow(const Patches::Columns& columns, const std::vector<double>& heights)
-{
-  std::vector<std::pair<PlanePoint, double>> all;
-  for (std::size_t n = 0; n < columns.size(); ++n)
-  {
-    all.emplace_back(columns[n], heights[n]);
-  }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return PrecedesByRow(a.first, b.first); });
-  Points points;
-  for (const auto& [column, height] : all)
-  {
-    points.Columns.push_back(column);
-    points.Height.push_back(height);
-  }
-  return points;
-}
-
 /// Points that are read row by row.
 class Reader : public RowReader
 {
@@ -115,36 +91,6 @@ private:
   const Points& Given;
 };
 
-/// A surface as a text, in points of all.
-std::string Tell(const Surface& surface, const std::vector<PointId>& targets, std::int64_t dropped)
-{
-  std::ostringstream text;
-  text.precision(17);
-  const Decimation& mesh = surface.Mesh;
-  for (std::size_t vertex = 0; vertex < mesh.Points.Source.size(); ++vertex)
-  {
-    text << mesh.Points.Source[vertex] << ' ' << mesh.Points.Plane[vertex].X << ' ' << mesh.Points.Plane[vertex].Y
-         << ' ' << mesh.Points.Height[vertex] << ' ' << int(mesh.Points.Averaged[vertex]) << '\n';
-  }
-  for (const Loops* const loops : { &mesh.Points.Boundary, &surface.Boundary.Boundary })
-  {
-    loops->ForEachEdge([&](PointId from, PointId to) { text << from << ' ' << to << ' '; });
-  }
-  const auto tell = [&](const auto& values)
-  {
-    std::for_each(values.begin(), values.end(), [&](auto value) { text << value << ' '; });
-    text << '\n';
-  };
-  tell(mesh.Triangles);
-  tell(mesh.Errors);
-  tell(targets);
-  tell(std::vector<double>{ mesh.LargestError, mesh.MeanError, mesh.LargestEdgeError, mesh.LargestLoopError,
-    surface.BoundaryDeviation, surface.OutlineDeviation, surface.OutlineHeightDeviation, double(surface.NumberOutside),
-    double(mesh.NumberOfSlivers), double(surface.Boundary.NumberOfPatches), double(surface.Parameters.Radius),
-    double(surface.Parameters.SmallestHoleSize), surface.Parameters.MaximumError, double(dropped) });
-  return text.str();
-}
-
 /// What differs between the points in memory and read row by row; empty when nothing does.
 std::string CompareRows(const Points& points, const SurfaceOptions& options, Surface surface)
 {
@@ -171,182 +117,6 @@ std::string CompareRows(const Points& points, const SurfaceOptions& options, Sur
   const std::string other = Tell(byRows.Made, read, byRows.DroppedPoints);
   const std::string own = Tell(surface, targets, std::int64_t(targets.size() - surface.Kept.size()));
   return own == other ? std::string() : "another surface from rows";
-}
-
-/// The voxels of a generated horizon: holes, one of them with an island, a ragged outline, single missing voxels.
-Points MakeGenerated(std::uint64_t seed, double dropouts)
-{
-  HorizonGeneratorOptions options;
-  options.Seed = seed;
-  options.Size = { 170, 340, 60 };
-  options.NumberOfHorizons = 1;
-  options.DropoutFraction = dropouts;
-  const LatticeHorizon voxels = HorizonGenerator(options).MakeHorizon(0);
-  Patches::Columns columns;
-  std::vector<double> heights;
-  for (std::size_t n = 0; n < voxels.Column.size(); ++n)
-  {
-    columns.push_back({ voxels.Column[n].X, voxels.Column[n].Y });
-    heights.push_back(double(voxels.K[n]));
-  }
-  return SortedByRow(columns, heights);
-}
-
-/// Threads in place of processes.
-class ThreadRanks
-{
-public:
-  explicit ThreadRanks(int size)
-    : Count(size)
-    , Messages(std::size_t(size * size))
-  {
-  }
-
-  int Size() const { return this->Count; }
-
-  void Send(const ByteBuffer& bytes, int from, int to)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Messages[std::size_t(from * this->Count + to)].push_back(bytes);
-    this->Changed.notify_all();
-  }
-
-  ByteBuffer Receive(int from, int to)
-  {
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    std::list<ByteBuffer>& messages = this->Messages[std::size_t(from * this->Count + to)];
-    this->Changed.wait(lock, [&messages]() { return !messages.empty(); });
-    const ByteBuffer bytes(messages.front().Bytes());
-    messages.pop_front();
-    return bytes;
-  }
-
-  void Together(const std::function<void()>& work)
-  {
-    std::exception_ptr problem;
-    try
-    {
-      work();
-    }
-    catch (...)
-    {
-      problem = std::current_exception();
-    }
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    const int end = this->Called / this->Count * this->Count + this->Count;
-    this->Failed = problem ? end : this->Failed;
-    ++this->Called;
-    this->Changed.notify_all();
-    this->Changed.wait(lock, [this, end]() { return this->Called >= end; });
-    if (problem)
-    {
-      std::rethrow_exception(problem);
-    }
-    if (this->Failed == end)
-    {
-      throw Aborted();
-    }
-  }
-
-private:
-  const int Count;
-  std::mutex Mutex;
-  std::condition_variable Changed;
-  std::vector<std::list<ByteBuffer>> Messages;
-  int Called = 0;
-  int Failed = 0; // the last calls that did
-};
-
-class ThreadRank : public PartRanks
-{
-public:
-  ThreadRank(ThreadRanks& all, int own)
-    : All(all)
-    , Number(own)
-  {
-  }
-
-  int Size() const override { return this->All.Size(); }
-  int Own() const override { return this->Number; }
-  ByteBuffer Receive(int rank) const override { return this->All.Receive(rank, this->Number); }
-  void Together(const std::function<void()>& work) const override { this->All.Together(work); }
-
-protected:
-  void SendTo(int rank, const ByteBuffer& bytes) const override { this->All.Send(bytes, this->Number, rank); }
-
-private:
-  ThreadRanks& All;
-  const int Number;
-};
-
-/// Makes a surface on several processes. Their monitors stop them if `isStopped` is true for their number.
-Surface MakeOnRanks(
-  const Points& points, SurfaceOptions options, int size, const std::function<bool(int)>& isStopped = {})
-{
-  ThreadRanks all(size);
-  const auto monitorOf = [&](int rank)
-  { return Monitor([&, rank](double) { return !isStopped || !isStopped(rank); }); };
-  std::vector<std::future<void>> helpers;
-  std::list<ThreadRank> ranks;
-  for (int rank = 0; rank < size; ++rank)
-  {
-    const ThreadRank& own = ranks.emplace_back(all, rank);
-    if (rank > 0)
-    {
-      helpers.push_back(std::async(std::launch::async, [&, rank]() { HelpToMesh(own, monitorOf(rank)); }));
-    }
-  }
-  options.Ranks = &ranks.front();
-  std::optional<Surface> surface;
-  try
-  {
-    surface = MakeSurface(points, options, monitorOf(0));
-  }
-  catch (const std::exception&)
-  {
-  }
-  ReleaseHelpers(ranks.front());
-  int stopped = surface ? 0 : 1;
-  for (std::future<void>& helper : helpers)
-  {
-    try
-    {
-      helper.get();
-    }
-    catch (const Aborted&)
-    {
-      ++stopped;
-    }
-  }
-  CHECK(stopped == 0 || stopped == size || (stopped == 1 && !surface)); // all, or process 0 before or after the others
-  return surface ? std::move(*surface) : Surface();
-}
-
-/// Any number of processes makes the same surface, to the last digit, also beside cracks.
-void CheckRanks(const Points& points, const SurfaceOptions& options, const Surface& surface)
-{
-  const auto tell = [](const Surface& one) {
-    return Tell(one, { one.Mesh.Points.Target.begin(), one.Mesh.Points.Target.end() }, std::int64_t(one.Kept.size()));
-  };
-  for (const int size : { 2, 3, 7 })
-  {
-    CHECK(tell(MakeOnRanks(points, options, size)) == tell(surface));
-  }
-}
-
-/// All processes end when one of them is stopped, or refuses the horizon.
-void TestStoppedRanks()
-{
-  const Points points = MakeGenerated(1, 0.0);
-  SurfaceOptions options = Within(0.75);
-  options.Radius = 1;
-  options.RowsOfPart = 40;
-  for (int stopped = 0; stopped < 3; ++stopped)
-  {
-    CHECK(MakeOnRanks(points, options, 3, [stopped](int rank) { return rank == stopped; }).Mesh.Triangles.empty());
-  }
-  options.SmallestAngle = -1.0;
-  CHECK(MakeOnRanks(points, options, 3).Mesh.Triangles.empty());
 }
 
 /// More with the variable SEEDS of the environment.
@@ -377,10 +147,6 @@ void TestRandomPatches()
       const Surface surface = MakeSurface(points, options);
       wrong = Check(points, surface, options.MaximumError);
       wrong = wrong.empty() ? CompareRows(points, options, surface) : wrong;
-      if (seed % 6 == 0 && surface.Boundary.Boundary.Size() > 0)
-      {
-        CheckRanks(points, options, surface);
-      }
     }
     catch (const std::exception& error)
     {
@@ -411,10 +177,6 @@ void TestCracks()
       const Surface surface = MakeSurface(points, options);
       wrong = Check(points, surface, options.MaximumError, false);
       CHECK(surface.Mesh.LargestEdgeError <= options.MaximumError + 1e-9);
-      if (seed % 6 == 0)
-      {
-        CheckRanks(points, options, surface);
-      }
     }
     catch (const std::exception& error)
     {
@@ -492,7 +254,6 @@ int TestSurfaceParts(int, char*[])
 {
   TestRandomPatches();
   TestCracks();
-  TestStoppedRanks();
   TestGenerated();
   TestSmooth();
   TestReal();
