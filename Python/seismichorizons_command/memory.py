@@ -17,9 +17,9 @@ from .core import HorizonError
 # including its own (213 to 221).
 HELD = 80
 WORKED = 240
-# Bytes per column of a band of rows, of which one is meshed at a time; full bands take 107. Horizons below two bands are
-# meshed at once, with so many bytes per point. The index of columns and the mesh come in addition.
-COLUMN_BYTES = 115
+# Bytes per column of a band of rows, of which one is meshed at a time, while the points of five are kept. Horizons below
+# two bands are meshed at once, with so many bytes per point. The index of columns and the mesh come in addition.
+COLUMN_BYTES = 165
 AT_ONCE = 80
 COLUMNS_PER_BYTE = 5
 MESH_BYTES = 0.6  # per point, of which one in 20 is left

@@ -49,11 +49,13 @@ SparseMatrixOverview ReadSparseMatrixOverview(std::istream& stream, const Sparse
 
 SparseMatrixOptions ForAllRows(SparseMatrixOptions options);
 
+/// Smaller than that of whole files, as parts of a buffer beyond the rows are read in vain.
+constexpr std::size_t RowsBufferSize = 1024 * 1024;
+
 /// Equals ReadSparseMatrix() except for the vertical fit, which is the overview's. Reads at most a few megabytes beyond
 /// the rows. `stream` must be at the start of the file.
 SparseMatrix ReadSparseMatrixRows(std::istream& stream, const SparseMatrixOverview& overview,
-  const SparseMatrixOptions& options, const Monitor& monitor = Monitor(),
-  std::size_t bufferSize = SparseMatrixBufferSize);
+  const SparseMatrixOptions& options, const Monitor& monitor = Monitor(), std::size_t bufferSize = RowsBufferSize);
 }
 
 #endif

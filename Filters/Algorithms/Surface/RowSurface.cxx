@@ -44,7 +44,7 @@ public:
     , Patches(patches)
     , AreAllKept(areAllKept)
     , Area(rows.Box())
-    , MostRows(7 * std::int64_t(rowsOfPart) / 2)
+    , MostRows(21 * std::int64_t(rowsOfPart) / 4)
   {
   }
 
@@ -98,7 +98,7 @@ public:
   std::size_t MostAtOnce() const override { return 1; }
 
 private:
-  /// Keeps rows of three bands, as those around cuts are read several times.
+  /// Keeps rows of five bands, as those around cuts are read several times.
   void Keep(std::int32_t first, std::int32_t last) const
   {
     if (first >= this->FirstKept && last <= this->LastKept)
@@ -106,8 +106,17 @@ private:
       return;
     }
     const bool isEmpty = this->LastKept < this->FirstKept;
-    const bool continues = !isEmpty && first >= this->FirstKept && first <= this->LastKept + 1;
-    if (!continues)
+    if (!isEmpty && first < this->FirstKept && last >= this->FirstKept)
+    {
+      std::vector<PlanePoint> columns;
+      std::vector<double> height;
+      this->Rows.Read(first, this->FirstKept - 1, columns, height);
+      this->Columns.insert(this->Columns.begin(), columns.begin(), columns.end());
+      this->Height.insert(this->Height.begin(), height.begin(), height.end());
+      this->FirstPoint = this->FirstOf(first);
+      this->FirstKept = first;
+    }
+    if (isEmpty || first < this->FirstKept || first > this->LastKept + 1)
     {
       this->Columns.clear();
       this->Height.clear();
@@ -124,13 +133,16 @@ private:
       this->FirstPoint += PointId(gone);
       this->FirstKept = firstLeft;
     }
-    this->Rows.Read(this->LastKept + 1, last, this->Columns, this->Height);
-    this->LastKept = last;
-    const PointId expected = this->FirstOf(last + 1) - this->FirstPoint;
+    if (last > this->LastKept)
+    {
+      this->Rows.Read(this->LastKept + 1, last, this->Columns, this->Height);
+      this->LastKept = last;
+    }
+    const PointId expected = this->FirstOf(this->LastKept + 1) - this->FirstPoint;
     if (this->Columns.size() != std::size_t(expected))
     {
       throw InputError(std::to_string(this->Columns.size()) + " points in rows " + std::to_string(this->FirstKept) +
-        " to " + std::to_string(last) + ", expected the " + std::to_string(expected) +
+        " to " + std::to_string(this->LastKept) + ", expected the " + std::to_string(expected) +
         " that were there before: the file has changed");
     }
   }
