@@ -17,9 +17,12 @@ from .core import HorizonError
 # including its own (213 to 221).
 HELD = 80
 WORKED = 240
-# Bytes per column of a band of rows, of which one is meshed at a time, while the points of five are kept. Horizons below
-# two bands are meshed at once, with so many bytes per point. The index of columns and the mesh come in addition.
-COLUMN_BYTES = 165
+# Bytes per column of a band of rows, of which one is meshed at a time, and per point of some bands, which are kept.
+# Horizons below two bands are meshed at once, with so many bytes per point. The index of columns and the mesh come in
+# addition.
+COLUMN_BYTES = 80
+KEPT_BYTES = 16
+KEPT_BANDS = 5.25
 AT_ONCE = 80
 COLUMNS_PER_BYTE = 5
 MESH_BYTES = 0.6  # per point, of which one in 20 is left
@@ -107,7 +110,8 @@ def make_groups(sizes, budget):
 def bytes_by_rows(columns, rows, points):
     """Returns the memory to mesh points in so many columns and rows by rows."""
     part = _core.columns_of_part(columns, rows)
-    held = AT_ONCE * points if part == columns * rows else COLUMN_BYTES * part
+    kept = int(points * min(1.0, KEPT_BANDS * part / (columns * rows)))
+    held = AT_ONCE * points if part == columns * rows else COLUMN_BYTES * part + KEPT_BYTES * kept
     return held + columns * rows // COLUMNS_PER_BYTE + int(MESH_BYTES * points)
 
 

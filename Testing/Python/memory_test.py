@@ -78,7 +78,10 @@ class PlanTest(unittest.TestCase):
         self.assertEqual(memory.bytes_by_rows(1000, 100, 50000), memory.AT_ONCE * 50000 + 20000 + 30000)
         part = _core.columns_of_part(10000, 10000)
         self.assertTrue(4 * 10 ** 6 < part < 5 * 10 ** 6)
-        self.assertEqual(memory.bytes_by_rows(10000, 10000, 10 ** 8) - memory.bytes_by_rows(10000, 10000, 0), 60 * 10 ** 6)
+        kept = memory.KEPT_BANDS * part / 10 ** 8
+        self.assertTrue(0.1 < kept < 0.5)
+        self.assertAlmostEqual(memory.bytes_by_rows(10000, 10000, 10 ** 7) - memory.bytes_by_rows(10000, 10000, 0),
+                               (memory.KEPT_BYTES * kept + memory.MESH_BYTES) * 10 ** 7, delta=20)
         self.assertEqual(memory.bytes_by_rows(10000, 10000, 0), memory.COLUMN_BYTES * part + 20 * 10 ** 6)
 
     def test_budget(self):
