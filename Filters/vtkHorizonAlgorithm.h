@@ -85,7 +85,7 @@ protected:
   /// Whether ranks process a horizon together. The answer is the same on all.
   virtual bool IsForAllRanks(const SeismicHorizons::RankedHorizon&) { return false; }
 
-  /// Calls process(monitor) on the rank of such a horizon, while others help. Collective.
+  /// Calls process() on the rank of such a horizon, while others help. Collective.
   virtual void ProcessOnRanks(const SeismicHorizons::RankedHorizon& horizon, const SeismicHorizons::Ranks& ranks,
     const SeismicHorizons::Monitor& monitor, const std::function<void()>& process);
 

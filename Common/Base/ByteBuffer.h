@@ -40,7 +40,15 @@ public:
     this->All.insert(this->All.end(), bytes, bytes + size * sizeof(Value));
   }
 
-  /// The number of items and the items of any container.
+  /// The number of items and the items.
+  template <typename Value>
+  void WriteArray(const Value* items, std::size_t size)
+  {
+    this->Write(size);
+    this->WriteItems(items, size);
+  }
+
+  /// The same of any container.
   template <typename Items>
   void WriteAll(const Items& items)
   {

@@ -22,7 +22,6 @@ using Work = std::function<void(std::int64_t, const Monitor&)>;
 void RunInTurn(std::int64_t size, const Monitor& monitor, const Work& work)
 {
   double& inLoops = Detail::SecondsInLoops();
-  const double before = inLoops;
   double outside = 0.0;
   double mostOutside = 0.0;
   for (std::int64_t n = 0; n < size; ++n)
@@ -35,7 +34,7 @@ void RunInTurn(std::int64_t size, const Monitor& monitor, const Work& work)
     outside += left;
     mostOutside = std::max(mostOutside, left);
   }
-  inLoops = std::max(before, inLoops) + outside - mostOutside; // More threads share all but the longest.
+  inLoops += outside - mostOutside; // More threads share all but the longest.
 }
 }
 

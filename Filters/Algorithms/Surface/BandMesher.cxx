@@ -47,7 +47,7 @@ void BandMesher::MeshBands(std::size_t first, std::size_t end, const Monitor& mo
 {
   for (std::size_t cut = first; cut < std::min(end, this->AllCuts.NumberOfCuts()); ++cut)
   {
-    this->AllCuts.Open(cut, this->Options.MaximumError);
+    this->OpenCut(cut);
   }
   this->ForEach(end - first, monitor,
     [&](std::size_t n, const Monitor& own) { this->Bands[first + n] = this->MeshBand(first + n, own); });

@@ -55,10 +55,10 @@ public:
 
   /// A band with the strip below it.
   SurfacePart& Band(std::size_t n) { return this->Bands[n]; }
-  /// Bands before this one are complete if strips up to the end are.
+  /// Bands before this one are complete after Improve(end), which next needs the band below its first cut.
   std::size_t CompleteBefore(std::size_t end) const
   {
-    return end == this->Bands.size() ? end : std::max<std::size_t>(end, 5) - 5;
+    return end == this->Bands.size() ? end : std::max<std::size_t>(this->Improved, 1) - 1;
   }
   /// All strips are meshed, some of them by others.
   void CloseCuts()

@@ -65,9 +65,8 @@ public:
     bytes.Write(box);
     bytes.WriteAll(starts);
     bytes.Write(window.First);
-    bytes.WriteAll(window.Columns);
-    bytes.Write(window.Columns.size());
-    bytes.WriteItems(window.Height, window.Columns.size());
+    bytes.WriteArray(window.Columns.begin(), window.Columns.size());
+    bytes.WriteArray(window.Height, window.Columns.size());
     bytes.WriteAll(points);
     bytes.WriteAll(columns);
   }
@@ -176,8 +175,7 @@ void WriteLoops(const Loops& loops, ByteBuffer& bytes)
   bytes.Write(loops.Size());
   for (std::size_t loop = 0; loop < loops.Size(); ++loop)
   {
-    bytes.Write(loops.Length(loop));
-    bytes.WriteItems(loops.begin(loop), loops.Length(loop));
+    bytes.WriteArray(loops.begin(loop), loops.Length(loop));
   }
 }
 

@@ -71,6 +71,14 @@ inline std::string Tell(const Surface& surface, const std::vector<PointId>& targ
   return text.str();
 }
 
+inline SurfaceOptions RandomOptions(Patches::Random& random)
+{
+  SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
+  options.Radius = 1;
+  options.RowsOfPart = 2 + random.Below(12);
+  return options;
+}
+
 /// The voxels of a generated horizon: holes, one of them with an island, a ragged outline, single missing voxels.
 inline Points MakeGenerated(std::uint64_t seed, double dropouts)
 {

@@ -193,9 +193,7 @@ void TestRandomPatches()
     Patches::Random random(std::uint64_t(seed) * 6271u);
     const Patches::Columns columns = Patches::Make(Patches::Shape(seed % int(Patches::Shape::Count)), random);
     const Points points = SortedByRow(columns, TestHorizons::MakeHeights(columns, random));
-    SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
-    options.Radius = 1;
-    options.RowsOfPart = 2 + random.Below(12);
+    const SurfaceOptions options = RandomOptions(random);
     CheckRanks(points, options, MakeSurface(points, options));
   }
 }
@@ -208,9 +206,7 @@ void TestCracks()
     Patches::Random random(std::uint64_t(seed) * 104723u);
     const CrackedPatches::CrackedPatch patch = CrackedPatches::Make(random);
     const Points points = SortedByRow(patch.Columns, TestHorizons::MakeHeights(patch.Columns, random));
-    SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
-    options.Radius = 1;
-    options.RowsOfPart = 2 + random.Below(12);
+    SurfaceOptions options = RandomOptions(random);
     options.Cuts = &patch.Cuts;
     CheckRanks(points, options, MakeSurface(points, options));
   }

@@ -129,9 +129,7 @@ void TestRandomPatches()
     Patches::Random random(std::uint64_t(seed) * 7919u);
     const Patches::Columns columns = Patches::Make(Patches::Shape(seed % int(Patches::Shape::Count)), random);
     const Points points = SortedByRow(columns, TestHorizons::MakeHeights(columns, random));
-    SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
-    options.Radius = 1;
-    options.RowsOfPart = 2 + random.Below(12);
+    SurfaceOptions options = RandomOptions(random);
     options.KeepHoles = seed % 5 != 0;
     if (seed % 4 == 0)
     {
@@ -167,9 +165,7 @@ void TestCracks()
     Patches::Random random(std::uint64_t(seed) * 104729u);
     const CrackedPatches::CrackedPatch patch = CrackedPatches::Make(random);
     const Points points = SortedByRow(patch.Columns, TestHorizons::MakeHeights(patch.Columns, random));
-    SurfaceOptions options = Within(0.4 * (1 + random.Below(5)));
-    options.Radius = 1;
-    options.RowsOfPart = 2 + random.Below(12);
+    SurfaceOptions options = RandomOptions(random);
     options.Cuts = &patch.Cuts;
     std::string wrong;
     try
