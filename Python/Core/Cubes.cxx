@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Cubes of amplitudes: dictionaries of the extent (first and last i, j and k), the map of indices to the world (16
-// numbers, by rows), amplitudes (i fastest), optional ghosts, and field data.
+// numbers, by rows), amplitudes (i fastest) and optional ghosts, or the file that has them, and field data.
 
 #include "Data.h"
 
 #include "Common/Survey/Units.h"
 #include "Readers/SEGYCube/SEGYImage.h"
+#include "Readers/SEGYCube/SEGYTraces.h"
 #include "Sources/Reflections/ReflectionStage.h"
 
 #include <array>
 #include <limits>
+#include <memory>
 
 using namespace nanobind::literals;
 
@@ -29,21 +31,6 @@ std::array<double, 16> MapOf(const ImageFrame& frame)
   matrix.topLeftCorner<3, 3>() = frame.Direction * frame.Spacing.asDiagonal();
   matrix.topRightCorner<3, 1>() = frame.Origin;
   return map;
-}
-
-SeismicImage TakeCube(const nb::dict& given)
-{
-  SeismicImage image;
-  image.Extent = nb::cast<std::array<int, 6>>(given["extent"]);
-  const auto map = nb::cast<std::array<double, 16>>(given["to_world"]);
-  image.ToWorld.matrix() = Eigen::Map<const Matrix>(map.data());
-  image.Amplitudes = TakeArray(given["amplitudes"]);
-  if (given.contains("ghosts"))
-  {
-    image.Ghosts = TakeArray(given["ghosts"]);
-  }
-  image.FieldData = TakeTable(given, "field_data");
-  return image;
 }
 
 SEGYOptions TakeCubeOptions(const nb::dict& chosen)
@@ -78,8 +65,8 @@ public:
     Run(progress,
       [&](const Monitor& monitor)
       {
-        this->Cube = ReadSEGYCube(path, options, monitor);
-        this->Extent = FindExtent(this->Cube, ranges);
+        this->Cube = std::make_shared<const SEGYCube>(ReadSEGYCube(path, options, monitor));
+        this->Extent = FindExtent(*this->Cube, ranges);
       });
   }
 
@@ -90,42 +77,79 @@ public:
     return std::int64_t(e[1] - e[0] + 1) * (e[3] - e[2] + 1) * (e[5] - e[4] + 1);
   }
 
-  /// Returns the image, and warnings.
-  nb::tuple Read(
-    const std::string& direction, const std::array<std::string, 4>& survey, const nb::object& progress) const
+  std::int64_t CountTraces() const
+  {
+    const auto& e = this->Extent;
+    return std::int64_t(e[1] - e[0] + 1) * (e[3] - e[2] + 1);
+  }
+
+  /// Returns the image, without points if samples stay in the file, and warnings.
+  nb::tuple Read(const std::string& direction, const std::array<std::string, 4>& survey, bool isLoaded,
+    const nb::object& progress) const
   {
     CubeView view;
     CubeImage read;
-    SurveyDescription description = this->Cube.Survey;
+    const SEGYCube& cube = *this->Cube;
+    SurveyDescription description = cube.Survey;
     OverrideSurvey(description, survey[0].c_str(), survey[1].c_str(), survey[2].c_str(), survey[3].c_str());
     Run(progress,
       [&](const Monitor& monitor)
       {
         // The lattice has the places; the image is not drawn.
-        view = MakeCubeView(this->Cube, description,
-          direction == "up" ? VerticalDirection::Up : VerticalDirection::Down, std::numeric_limits<double>::infinity());
-        read = ReadCubeImage(this->Cube, view, this->Extent, monitor);
+        view = MakeCubeView(cube, description, direction == "up" ? VerticalDirection::Up : VerticalDirection::Down,
+          std::numeric_limits<double>::infinity());
+        read = ReadCubeImage(cube, view, isLoaded ? this->Extent : CubeExtent{ 0, -1, 0, -1, 0, -1 }, monitor);
       });
-    const std::vector<std::string> warnings = { WarningText(this->Cube), NullsText(read.Nulls) };
+    const std::vector<std::string> warnings = { WarningText(cube), NullsText(read.Nulls) };
     nb::dict given;
-    given["extent"] = nb::cast(read.Image.Extent);
+    given["extent"] = nb::cast(this->Extent);
     given["to_world"] = nb::cast(MapOf(view.Image));
     given["point_data"] = GiveTable(read.Image.PointData);
     given["field_data"] = GiveTable(read.Image.FieldData);
-    if (!this->Cube.Places.empty())
+    if (!cube.Places.empty())
     {
       auto extent = this->Extent;
       extent[4] = extent[5];
-      given["line"] = GiveArray(PlaceLineSamples(this->Cube, view.Frame, extent));
+      given["line"] = GiveArray(PlaceLineSamples(cube, view.Frame, extent));
     }
-    given["description"] = Describe(this->Cube, description);
+    given["description"] = Describe(cube, description);
     return nb::make_tuple(given, warnings);
   }
 
+  TraceCube Traces() const
+  {
+    const auto& e = this->Extent;
+    const auto traces = std::make_shared<const SEGYTraces>(this->Cube, e);
+    return { { e[1] - e[0] + 1, e[3] - e[2] + 1, e[5] - e[4] + 1 },
+      [traces](int j, int first, int count, float* samples) { traces->Read(j, first, count, samples); } };
+  }
+
 private:
-  SEGYCube Cube;
+  std::shared_ptr<const SEGYCube> Cube;
   CubeExtent Extent = {};
 };
+
+SeismicImage TakeCube(const nb::dict& given)
+{
+  SeismicImage image;
+  image.Extent = nb::cast<std::array<int, 6>>(given["extent"]);
+  const auto map = nb::cast<std::array<double, 16>>(given["to_world"]);
+  image.ToWorld.matrix() = Eigen::Map<const Matrix>(map.data());
+  if (given.contains("file"))
+  {
+    image.InFile = nb::cast<const CubeFile&>(given["file"]).Traces();
+  }
+  else
+  {
+    image.Amplitudes = TakeArray(given["amplitudes"]);
+  }
+  if (given.contains("ghosts"))
+  {
+    image.Ghosts = TakeArray(given["ghosts"]);
+  }
+  image.FieldData = TakeTable(given, "field_data");
+  return image;
+}
 
 ExtractionOptions TakeExtractionOptions(const nb::dict& chosen)
 {
@@ -191,7 +215,8 @@ void BindCubes(nb::module_& module)
   nb::class_<CubeFile>(module, "CubeFile")
     .def(nb::init<const std::string&, const nb::dict&, const nb::object&>(), "path"_a, "options"_a, "progress"_a.none())
     .def_prop_ro("samples", &CubeFile::CountSamples)
-    .def("read", &CubeFile::Read, "direction"_a, "survey"_a, "progress"_a.none());
+    .def_prop_ro("traces", &CubeFile::CountTraces)
+    .def("read", &CubeFile::Read, "direction"_a, "survey"_a, "is_loaded"_a, "progress"_a.none());
   module.def("extract", &Extract, "cube"_a, "guides"_a.none(), "limits"_a.none(), "options"_a, "progress"_a.none());
 }
 }

@@ -27,9 +27,9 @@ class Cube:
 
     Attributes
     ----------
-    values : array of shape (rows, columns, samples)
+    values : array of shape (rows, columns, samples), or None
         Rows are inlines. nan where there is no sample. Values are meaningless where `known` is False; `read_cube` sets
-        them to 0.
+        them to 0. None where samples stay in the file (`load=False`).
     lattice : Lattice
         The lattice of the traces, with samples as vertical indices.
     known : bool array of the same shape, or None
@@ -46,7 +46,7 @@ class Cube:
         How the file was interpreted, line by line.
     """
 
-    values: NDArray[Any]
+    values: NDArray[Any] | None
     lattice: Lattice
     known: NDArray[np.bool_] | None = None
     line: Floats | None = None
@@ -57,8 +57,11 @@ class Cube:
     horizontal_unit: str = ""
     coordinate_system: str = ""
     taken: tuple[str, ...] = ()
+    _file: _core.CubeFile | None = None
 
     def __post_init__(self) -> None:
+        if self.values is None and self._file is not None:
+            return
         if np.ndim(self.values) != 3:
             raise ValueError("values of %d axes, expected (rows, columns, samples)" % np.ndim(self.values))
         expected = (*self.lattice.shape, self.lattice.indices)
@@ -66,7 +69,7 @@ class Cube:
             raise ValueError("values of shape %s, expected %s of the lattice" % (np.shape(self.values), expected))
 
     def __repr__(self) -> str:
-        rows, columns, samples = self.values.shape
+        (rows, columns), samples = self.lattice.shape, self.lattice.indices
         first, step = self.lattice.first_z, self.lattice.vertical_step
         unit = " " + self.vertical_unit if self.vertical_unit else ""
         step_unit = " " + self.horizontal_unit if self.horizontal_unit else ""
@@ -80,16 +83,18 @@ class Cube:
 
     def _data(self) -> Data:
         (ax, ay), (bx, by), (x, y) = self.lattice.column_step, self.lattice.row_step, self.lattice.origin
-        rows, columns, samples = self.values.shape
+        (rows, columns), samples = self.lattice.shape, self.lattice.indices
         to_world = (ax, bx, 0.0, x, ay, by, 0.0, y, 0.0, 0.0, self.sign * self.lattice.vertical_step,
                     self.sign * self.lattice.first_z, 0.0, 0.0, 0.0, 1.0)
         fields = {"LatticeDimensions": np.array([columns, rows, samples], np.int32), "LatticeToWorld": np.array(to_world), **give_survey(self)}
         if self.lattice.lines is not None:
             fields["LineNumbers"] = np.array(self.lattice.lines)
+        data = {"extent": [0, columns - 1, 0, rows - 1, 0, samples - 1], "to_world": to_world, "field_data": fields}
+        if self.values is None:
+            return {**data, "file": self._file}
         own = np.asarray(self.values).dtype
         taken = np.dtype(np.float32) if own.kind == "f" and own.itemsize not in (4, 8) else own.newbyteorder("=")
-        values = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1), taken).reshape(-1)
-        data = {"extent": [0, columns - 1, 0, rows - 1, 0, samples - 1], "to_world": to_world, "amplitudes": values, "field_data": fields}
+        data["amplitudes"] = np.ascontiguousarray(np.asarray(self.values).transpose(2, 0, 1), taken).reshape(-1)
         if self.known is not None:
             hidden = 2  # VTK's mark
             data["ghosts"] = np.where(np.asarray(self.known).transpose(2, 0, 1).reshape(-1), 0, hidden).astype(np.uint8)
@@ -105,7 +110,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
               sample_range: tuple[int, int] | None = None, inline_byte: int = 0, crossline_byte: int = 0, x_byte: int = 0, y_byte: int = 0,
               sample_format: int = 0, number_of_samples: int = 0, vertical_step: float | None = None, tolerance: float = 0.25, duplicates: str = "refuse", delays: str = "interpolate",
               ignore_incomplete_trace: bool = False, direction: str = "down", vertical_unit: str = "", vertical_domain: str = "",
-              horizontal_unit: str = "", coordinate_system: str = "", progress: Progress | None = None) -> Cube:
+              horizontal_unit: str = "", coordinate_system: str = "", load: bool = True, progress: Progress | None = None) -> Cube:
     """Reads a post-stack SEG-Y file.
 
     Parameters
@@ -133,6 +138,9 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
         Reads a file that ends within a trace.
     direction, vertical_unit, vertical_domain, horizontal_unit, coordinate_system
         As in `read`.
+    load : bool
+        False leaves the samples in the file, and `extract` reads those that it needs: near the picks, in a cube of more
+        than 100 million samples.
     progress : callable, optional
 
     Returns
@@ -152,7 +160,13 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
         inlines=_whole(inlines), crosslines=_whole(crosslines), sample_range=_whole(sample_range), inline_byte=inline_byte, crossline_byte=crossline_byte, x_byte=x_byte,
         y_byte=y_byte, sample_format=sample_format, number_of_samples=number_of_samples, vertical_step=where[0], tolerance=float(tolerance), duplicates=duplicates, delays=delays,
         ignore_incomplete_trace=ignore_incomplete_trace)
-    data = call(str(path), lambda: _core.CubeFile(str(path), options, progress).read(*where[1:], progress))
+    file: list[_core.CubeFile] = []
+
+    def read_file() -> Any:
+        file.append(_core.CubeFile(str(path), options, progress))
+        return file[0].read(*where[1:], load, progress)
+
+    data = call(str(path), read_file)
     first_i, last_i, first_j, last_j, first_k, last_k = data["extent"]
     shape = (last_k - first_k + 1, last_j - first_j + 1, last_i - first_i + 1)
     points, fields = data["point_data"], data["field_data"]
@@ -162,9 +176,11 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     lattice = dataclasses.replace(whole, shape=shape[1:], origin=(float(x), float(y)), indices=shape[0], lines=lines,
                                   first_z=whole.first_z + first_k * whole.vertical_step)
     ghosts = points.get("vtkGhostType")
-    amplitudes = next(values for name, values in points.items() if name != "vtkGhostType")
-    return Cube(amplitudes.reshape(shape).transpose(1, 2, 0), lattice, None if ghosts is None else (ghosts == 0).reshape(shape).transpose(1, 2, 0),
-                data["line"][:, :2].reshape(*shape[1:], 2) if "line" in data else None, stem(path), direction or "down", taken=tuple(in_keywords(data["description"]).splitlines()), **survey(fields))
+    amplitudes = next((values for name, values in points.items() if name != "vtkGhostType"), None)
+    return Cube(None if amplitudes is None else amplitudes.reshape(shape).transpose(1, 2, 0), lattice,
+                None if ghosts is None else (ghosts == 0).reshape(shape).transpose(1, 2, 0),
+                data["line"][:, :2].reshape(*shape[1:], 2) if "line" in data else None, stem(path), direction or "down",
+                taken=tuple(in_keywords(data["description"]).splitlines()), _file=None if load else file[0], **survey(fields))
 
 
 def extract(cube: Cube, guides: Any = None, *, limits: Sequence[Horizon] = (), limit_side: str = "below", polarity: str = "both",

@@ -18,6 +18,9 @@ LARGEST_NUMBER = 20
 # Peak memory in bytes per sample, cube included, while reflections are joined (ReflectionBenchmark).
 WORKED = 20
 WORKED_WITH_PICKS = 45
+# Of cubes of more samples, only what is near picks is searched, with so many bytes per trace and horizon.
+LARGEST_WHOLE = 100_000_000
+WORKED_NEAR_PICKS = 1500
 
 
 def is_named_so(path):
@@ -52,6 +55,7 @@ class CubeSource:
                 raise core.HorizonError("%s: a seismic cube does not support %s" % (path, name))
         self._given = properties
         self._file = None
+        self._budget = None
 
     def _chosen(self, names):
         return core.options({RENAMED.get(name, name): value for name, value in self._given.items() if name in names})
@@ -67,8 +71,22 @@ class CubeSource:
         with core.errors("%s: " % self.path):
             self._file = core.run(_core.CubeFile, str(self.path), self._chosen(READER), label="%s: reading headers" % self.path.name)
 
-    def count_samples(self):
-        return self._file.samples
+    def require(self, budget):
+        """Raises HorizonError if the cube and its picks do not fit in memory; those of more than one horizon are counted when
+        they are read."""
+        self.open()
+        self._budget = budget
+        self._require(1)
+
+    def _require(self, horizons):
+        size = WORKED_NEAR_PICKS * horizons * self._file.traces if self.is_read_near_picks() else (
+            (WORKED_WITH_PICKS if self.picks else WORKED) * self._file.samples)
+        self._budget.require_bytes(size, "%s: a cube that takes %s with its picks" % (self.path, size_text(size)),
+                                   "; --inlines and --crosslines read a part")
+
+    def is_read_near_picks(self):
+        """Whether samples stay in the file."""
+        return bool(self.picks) and not self._given.get("KeepOthers") and self._file.samples > LARGEST_WHOLE
 
     def read(self, horizons=None):
         """Returns the horizons as a list of (name, data). Raises HorizonError."""
@@ -79,17 +97,22 @@ class CubeSource:
         direction = snake(self._given.get("VerticalDirection", ""))
         survey = tuple(self._given.get(name, "") for name in SURVEY)
         with core.errors("%s: " % self.path):
-            cube, warnings = core.run(self._file.read, "up" if direction == "up" else "down", survey,
+            is_loaded = not self.is_read_near_picks()
+            cube, warnings = core.run(self._file.read, "up" if direction == "up" else "down", survey, is_loaded,
                                       label="%s: reading the cube" % self.path.name, work=file_work(self.path))
-        self._file = None
         self.lines = cube["description"].splitlines()
         self._warn(warnings)
         image = {"extent": cube["extent"], "to_world": cube["to_world"], "field_data": cube["field_data"]}
         for name, array in cube.pop("point_data").items():
             image["ghosts" if name == "vtkGhostType" else "amplitudes"] = array
+        if not is_loaded:
+            image["file"] = self._file
         place = lattice_properties(cube)
         others = [[horizon for file in files for horizon in self._read_others(file, place, reading)] or None for files in (
             [self.picks] if self.picks else [], self.limits)]
+        if self._budget and others[0]:
+            self._require(len(others[0]))
+        self._file = None
         with core.errors("%s: " % self.path):
             (found, _, _), warnings = core.run(_core.extract, image, *others, self._of_extraction(), label="%s: reading" % self.path.name)
         self._warn(warnings)
@@ -123,11 +146,3 @@ def lattice_properties(cube):
     return {"LineNumbers": data.values(cube, "LineNumbers"), "Origin": matrix[:2, 3].tolist(), "ColumnStep": matrix[:2, 0].tolist(), "RowStep": matrix[:2, 1].tolist(),
             "LatticeTolerance": 0.499, "StrayPicks": "LeaveOut",
             "VerticalDirection": "Up" if data.vertical_direction(cube) > 0 else "Automatic"}
-
-
-def require(source, budget):
-    """Raises HorizonError if the cube and its picks do not fit in memory."""
-    source.open()
-    size = (WORKED_WITH_PICKS if source.picks else WORKED) * source.count_samples()
-    budget.require_bytes(size, "%s: a cube that takes %s with its picks" % (source.path, size_text(size)),
-                         "; --inlines and --crosslines read a part")

@@ -34,7 +34,7 @@ class Supply:
         source = reading.open_file(self._path, horizons, left_out, with_overview=is_large, **properties)
         self.surfaces = source.surfaces
         if isinstance(source, cubes.CubeSource):
-            cubes.require(source, budget)
+            source.require(budget)
         self.seconds = 0.0
         if isinstance(source, reading.SparseSource) and is_large:
             self._list(source, horizons)

@@ -7,6 +7,7 @@
 #define SeismicHorizonsSEGYWindow_h
 
 #include "SEGYCube.h"
+#include "SEGYTraces.h"
 
 #include <array>
 #include <cstdint>
@@ -21,17 +22,7 @@ struct SEGYRanges
   std::array<int, 2> Samples = { 0, -1 }; // First and last vertical index; -1 for the last one.
 };
 
-/// First and last i, j and k, as in VTK.
-using CubeExtent = std::array<int, 6>;
-
 CubeExtent FindExtent(const SEGYCube& cube, const SEGYRanges& ranges);
-
-/// Vertical indices with samples; empty if First equals End.
-struct SampleRange
-{
-  int First = 0;
-  int End = 0;
-};
 
 struct SEGYWindow
 {

@@ -40,6 +40,10 @@ void CheckImage(const SeismicImage& image)
   {
     throw InputError("an image of " + CubeText(size) + " points, expected traces of two samples or more along k");
   }
+  if (image.InFile.Read)
+  {
+    return;
+  }
   const DataArray& amplitudes = image.Amplitudes;
   if (amplitudes.Components() != 1)
   {
@@ -68,9 +72,12 @@ TraceCube MakeTraces(const Sample* first, const Indices& size, const unsigned ch
 
 TraceCube MakeTraces(const SeismicImage& image)
 {
-  TraceCube traces;
+  TraceCube traces = image.InFile;
   const unsigned char* const ghosts = image.Ghosts ? image.Ghosts->As<unsigned char>() : nullptr;
-  image.Amplitudes.WithNumbers([&](const auto* samples) { traces = MakeTraces(samples, image.Size(), ghosts); });
+  if (!traces.Read)
+  {
+    image.Amplitudes.WithNumbers([&](const auto* samples) { traces = MakeTraces(samples, image.Size(), ghosts); });
+  }
   return traces;
 }
 

@@ -22,6 +22,7 @@ struct SeismicImage
   std::array<int, 6> Extent = { 0, -1, 0, -1, 0, -1 }; // first and last i, j and k
   Eigen::Affine3d ToWorld = Eigen::Affine3d::Identity(); // of indices
   DataArray Amplitudes; // i runs fastest
+  TraceCube InFile; // takes the place of amplitudes that are not in memory
   std::optional<DataArray> Ghosts; // of the type unsigned char
   ArrayTable FieldData;
 
@@ -35,7 +36,7 @@ struct SeismicImage
 struct ImageCube
 {
   SeismicImage Image;
-  TraceCube Traces; // refers to the memory of the image
+  TraceCube Traces; // refers to the memory of the image, or to a file
   std::array<int, 3> FirstIndex = { 0, 0, 0 }; // lattice index of the first trace and sample
   LatticeFrame Frame;
 };

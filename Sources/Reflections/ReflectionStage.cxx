@@ -127,6 +127,11 @@ void DescribeReflections(const GuidanceOptions& options, FoundReflections& found
        << " or more\n"
        << "dominant period " << result.Period << " samples, largest step " << result.LargestStep
        << (result.IsSmoothed ? "; smoothed" : "") << '\n';
+  if (result.HalfBand > 0.0)
+  {
+    text << "searched within " << result.HalfBand << " samples of where guides lead, as the cube has more than "
+         << options.LargestWhole << " samples\n";
+  }
   text << "phase of the wavelet " << result.Phase.Degrees << " or " << result.Phase.Degrees + 180.0
        << " degrees, parts of the traces within " << result.Phase.Deviation << '\n';
   if (result.MedianCorrelation != 0.0)

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python package: installed by pip into a fresh environment, tried there with numpy alone, and then beside the packages
-of others.
+"""The Python package: installed by pip into a fresh environment, which takes all processors, and then tried there with numpy
+alone and beside the packages of others, which takes one.
 
-Arguments: the folder of the project, one for files, and that of the classes of this build, with whose meshes those of the
-package are compared. Skipped where pip cannot reach its index.
+Arguments: "install" or "try", the folder of the project, one for files, and that of the classes of this build, with whose
+meshes those of the package are compared. Skipped where pip cannot reach its index.
 """
 
 import os
@@ -12,10 +12,9 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import time
 import venv
 
-PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+PROJECT, FOLDER, CLASSES = (pathlib.Path(argument).resolve() for argument in sys.argv[2:])
 TESTS = PROJECT / "Testing/Wheel"
 BESIDE = ("pandas", "geopandas", "xarray", "xtgeo", "pyvista", "trimesh", "resqpy", "mypy", "segyio", "matplotlib", "nbclient", "ipykernel", "gempy",
           "LoopStructural")
@@ -35,18 +34,20 @@ def skip(reason):
     sys.exit(77)
 
 
-shutil.rmtree(FOLDER, ignore_errors=True)
-try:
-    venv.create(FOLDER / "use", with_pip=True)
-except (subprocess.CalledProcessError, SystemExit):  # Debian's venv exits
-    skip("This Python has no ensurepip (package python3-venv).")
 python = FOLDER / "use/bin/python"
-words = [python, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", FOLDER / "found", "nanobind"]
-if subprocess.run(words, capture_output=True, env=ENVIRONMENT).returncode:
-    skip("pip does not find nanobind.")
-start = time.monotonic()
-run(python, "-m", "pip", "install", "--quiet", PROJECT)
-print("built and installed in %.0f s" % (time.monotonic() - start))
+if sys.argv[1] == "install":
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    try:
+        venv.create(FOLDER / "use", with_pip=True)
+    except (subprocess.CalledProcessError, SystemExit):  # Debian's venv exits
+        skip("This Python has no ensurepip (package python3-venv).")
+    words = [python, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", FOLDER / "found", "nanobind"]
+    if subprocess.run(words, capture_output=True, env=ENVIRONMENT).returncode:
+        skip("pip does not find nanobind.")
+    run(python, "-m", "pip", "install", "--quiet", PROJECT)
+    sys.exit()
+if not (FOLDER / "use/bin/horizon-mesh").exists():
+    skip("It is not installed.")
 run(sys.executable, TESTS / "core_peer.py", FOLDER / "peer", env={**ENVIRONMENT, "PYTHONPATH": str(CLASSES)})
 run(python, TESTS / "core_test.py", PROJECT / "Data", FOLDER / "files", FOLDER / "peer")
 run(python, TESTS / "core_stack_test.py", FOLDER / "stack")

@@ -43,6 +43,8 @@ struct GuidanceOptions
   double LeastConfidence = 0.0;
   /// Automatic surfaces are kept, without picks that guides took.
   bool KeepOthers = false;
+  /// Cubes of more samples are searched near the guides alone, unless others are kept.
+  std::int64_t LargestWhole = 100'000'000;
 };
 
 enum class PickOrigin : std::uint8_t

@@ -17,6 +17,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
+#include "GuideBands.h"
 #include "GuidedExtraction.h"
 #include "LowPass.h"
 #include "SurfaceJoining.h"
@@ -326,6 +327,16 @@ void ChooseSmoothing(
     double(reflections.CountPicks()) > (isGuided ? PeaksOfGuided : PeaksOfAutomatic) * halfPeriods;
 }
 
+ReflectionOptions PickOptions(const ExtractionOptions& options, bool isGuided)
+{
+  ReflectionOptions own = options.Reflections;
+  if (isGuided)
+  {
+    own.AmplitudePercentile = 0.0; // interpreters follow weak reflections
+  }
+  return own;
+}
+
 std::shared_ptr<JoinedReflections> FindPicks(const TraceCube& cube, const ExtractionOptions& options, bool isGuided,
   const TraceLimits& limits, const Monitor& monitor)
 {
@@ -335,13 +346,8 @@ std::shared_ptr<JoinedReflections> FindPicks(const TraceCube& cube, const Extrac
   {
     ChooseSmoothing(cube, isGuided, limits, *joined, monitor.Step(0.0, 0.4));
   }
-  ReflectionOptions own = options.Reflections;
-  if (isGuided)
-  {
-    own.AmplitudePercentile = 0.0; // interpreters follow weak reflections
-  }
   const TraceCube smoothed = Smoothed(cube, *joined);
-  joined->Picks = FindReflections(smoothed, own, monitor.Step(0.4, 1.0), limits);
+  joined->Picks = FindReflections(smoothed, PickOptions(options, isGuided), monitor.Step(0.4, 1.0), limits);
   Extraction& figures = joined->Figures;
   figures.Samples = joined->Picks.Samples;
   figures.Picks = joined->Picks.CountPicks();
@@ -351,6 +357,60 @@ std::shared_ptr<JoinedReflections> FindPicks(const TraceCube& cube, const Extrac
   figures.LargestStep =
     options.LargestStep > 0.0 ? options.LargestStep : std::max(LeastLinkStep, StepPerPeriod * figures.Period);
   return joined;
+}
+
+// ---- Large cubes ---------------------------------------------------------------------------------------------------
+
+// Some rows of a large cube show its noise, period and phase.
+constexpr std::int64_t SamplesThatShow = std::int64_t(1) << 25;
+
+// In dominant periods. Rough paths may be some periods off.
+constexpr double HalfBand = 4.0;
+constexpr double HalfPathWindow = 1.5;
+constexpr double StepOfPaths = 0.32;
+
+std::int64_t CountSamples(const TraceCube& cube)
+{
+  return std::int64_t(cube.Size[0]) * cube.Size[1] * cube.Size[2];
+}
+
+TraceLimits LimitsOfRows(const TraceLimits& limits, int columns, int step)
+{
+  TraceLimits some;
+  for (std::size_t row = 0; row < limits.First.size(); row += std::size_t(columns) * step)
+  {
+    some.First.insert(some.First.end(), limits.First.begin() + row, limits.First.begin() + row + columns);
+    some.Last.insert(some.Last.end(), limits.Last.begin() + row, limits.Last.begin() + row + columns);
+  }
+  return some;
+}
+
+/// Only picks in bands around the guides, which become limits.
+std::shared_ptr<JoinedReflections> FindPicksNear(const std::vector<Guide>& guides, const TraceCube& cube,
+  const ExtractionOptions& options, TraceLimits& limits, const Monitor& monitor)
+{
+  const int step = int((CountSamples(cube) - 1) / SamplesThatShow) + 1;
+  std::shared_ptr<JoinedReflections> joined =
+    FindPicks(EveryRow(cube, step), options, true, LimitsOfRows(limits, cube.Size[0], step), monitor.Step(0.0, 0.1));
+  const double period = joined->Picks.Period;
+  const TraceCube smoothed = Smoothed(cube, *joined);
+  const BandOptions ofPaths{ HalfWidth(HalfPathWindow, period), HalfWidth(StepOfPaths, period) };
+  limits.Middles = FollowRoughly(smoothed, guides, ofPaths, monitor.Step(0.1, 0.6));
+  limits.HalfBand = std::ceil(HalfBand * period);
+  joined->Picks = FindReflections(smoothed, PickOptions(options, true), monitor.Step(0.6, 1.0), limits);
+  joined->Picks.Period = period;
+  joined->Figures.Samples = joined->Picks.Samples;
+  joined->Figures.Picks = joined->Picks.CountPicks();
+  joined->Figures.HalfBand = limits.HalfBand;
+  return joined;
+}
+
+void CheckJoining(const std::vector<Guide>& guides, SurfaceJoining joining)
+{
+  if (!guides.empty() && joining == SurfaceJoining::Components)
+  {
+    throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
+  }
 }
 
 std::shared_ptr<JoinedReflections> StartFrom(std::shared_ptr<JoinedReflections> joined, const TraceCube& cube,
@@ -601,18 +661,20 @@ void CheckOptions(const ExtractionOptions& options)
 
 //----------------------------------------------------------------------------------------------------------------------
 Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& options, const Monitor& monitor,
-  const std::vector<Guide>& guides, const TraceLimits& limits, std::shared_ptr<JoinedReflections>* kept)
+  const std::vector<Guide>& guides, const TraceLimits& givenLimits, std::shared_ptr<JoinedReflections>* kept)
 {
   CheckOptions(options);
-  if (!guides.empty() && options.Joining == SurfaceJoining::Components)
-  {
-    throw InputError("guides and Joining Components, whose surfaces pass columns twice, expected BestFirst");
-  }
+  CheckJoining(guides, options.Joining);
   const TraceCube turned = options.PhaseRotation != 0.0 ? TurnPhase(given, options.PhaseRotation) : given;
   const bool isGuided = !guides.empty();
-  const bool isKept = kept && isGuided;
-  const std::shared_ptr<JoinedReflections> joined =
-    StartFrom(isKept ? *kept : nullptr, turned, options, isGuided, limits, monitor.Step(0.0, 0.3));
+  const bool isNearOnly =
+    isGuided && !options.Guidance.KeepOthers && CountSamples(turned) > options.Guidance.LargestWhole;
+  const bool isKept = kept && isGuided && !isNearOnly;
+  const Monitor finding = monitor.Step(0.0, 0.3);
+  TraceLimits limits = givenLimits;
+  const std::shared_ptr<JoinedReflections> joined = isNearOnly
+    ? FindPicksNear(guides, turned, options, limits, finding)
+    : StartFrom(isKept ? *kept : nullptr, turned, options, isGuided, limits, finding);
   const TraceCube cube = Smoothed(turned, *joined);
   Extraction result = joined->Figures;
   result.SmallestSize = ChooseSmallestSize(options, cube.Size);

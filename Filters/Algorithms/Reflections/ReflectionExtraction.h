@@ -60,6 +60,7 @@ struct Extraction
   std::vector<LatticeHorizon> Surfaces;
   std::vector<GuideUse> Guides;
 
+  double HalfBand = 0.0; // around guides, in samples, if they alone were searched
   std::int64_t Samples = 0; // not missing
   std::int64_t Picks = 0; // above the threshold
   float Threshold = 0.0F; // of absolute amplitude
@@ -80,7 +81,8 @@ struct JoinedReflections;
 
 /// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit.
 /// Takes about 30 bytes per pick beside the result, 100 with guides. These leave what does not depend on them in `kept`,
-/// about 70 bytes per pick, from which the next extraction starts. It must have the same cube and limits.
+/// about 70 bytes per pick, from which the next extraction starts, unless only bands around guides were searched. It must
+/// have the same cube and limits.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),
   const Monitor& monitor = Monitor(), const std::vector<Guide>& guides = {}, const TraceLimits& limits = TraceLimits(),
   std::shared_ptr<JoinedReflections>* kept = nullptr);

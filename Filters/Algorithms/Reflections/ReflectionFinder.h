@@ -86,12 +86,19 @@ struct TraceLimits
   /// Returns false if a limit is NaN.
   bool Contain(std::int64_t column, PickDepth place) const
   {
-    return this->AreNone() || (this->First[column] <= InSamples(place) && InSamples(place) <= this->Last[column]);
+    const double sample = InSamples(place);
+    const auto isNear = [&](const std::vector<float>& middle)
+    { return std::abs(sample - double(middle[column])) <= this->HalfBand; };
+    return (this->AreNone() || (this->First[column] <= sample && sample <= this->Last[column])) &&
+      (this->Middles.empty() || std::any_of(this->Middles.begin(), this->Middles.end(), isNear));
   }
 
   /// Limits are in samples, by column, i fastest; empty limits mean whole traces.
   std::vector<double> First;
   std::vector<double> Last;
+  /// Bands around any of these count, if there are some.
+  std::vector<std::vector<float>> Middles;
+  double HalfBand = 0.0;
 };
 
 void LeaveOutBeyond(

@@ -43,6 +43,13 @@ void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&
   }
 }
 
+/// Every `step`-th row from the first on.
+inline TraceCube EveryRow(const TraceCube& cube, int step)
+{
+  return { { cube.Size[0], (cube.Size[1] - 1) / step + 1, cube.Size[2] },
+    [cube, step](int j, int first, int count, float* traces) { cube.Read(j * step, first, count, traces); } };
+}
+
 /// Each trace is changed by change(trace, samples); each reading has a copy of `change` with its own buffers.
 template <typename Change>
 TraceCube ChangeTraces(const TraceCube& cube, const Change& change)

@@ -171,7 +171,7 @@ void TestLittleLeft()
   Traces traces = Generate(cube);
   CHECK(ExtractReflections(traces.View()).IsSmoothed);
   const std::size_t columns = std::size_t(cube.Size[0]) * std::size_t(cube.Size[1]);
-  const TraceLimits limits{ std::vector<double>(columns, 100.0), std::vector<double>(columns, 150.0) };
+  const TraceLimits limits{ std::vector<double>(columns, 100.0), std::vector<double>(columns, 150.0), {}, 0.0 };
   CHECK(ExtractReflections(traces.View(), ExtractionOptions(), Monitor(), {}, limits).IsSmoothed);
   for (std::size_t sample = 0; sample < traces.Samples.size(); ++sample)
   {
