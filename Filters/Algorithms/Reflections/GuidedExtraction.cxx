@@ -69,8 +69,9 @@ GrowthLinks GuidedExtraction::FindLinks(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-void GuidedExtraction::Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, const GrowthLinks& links,
-  RawVector<PointId>& surfaces, std::vector<FollowedGuide>& followed, const Monitor& monitor)
+void GuidedExtraction::Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks,
+  const SurfaceMembers& members, const GrowthLinks& links, RawVector<PointId>& surfaces,
+  std::vector<FollowedGuide>& followed, const Monitor& monitor)
 {
   std::vector<Strand*> strands;
   for (Strand& strand : this->Strands)
@@ -81,7 +82,7 @@ void GuidedExtraction::Follow(const TraceCube& cube, int sign, const ReflectionP
     }
   }
   const GuidedJoining joining(
-    cube, picks, surfaces, links, HalfWidth(LongWaveform, this->Period), this->Period, this->Options);
+    cube, picks, surfaces, members, links, HalfWidth(LongWaveform, this->Period), this->Period, this->Options);
   ParallelFor(std::int64_t(strands.size()), 1, monitor,
     [&](std::int64_t begin, std::int64_t end)
     {

@@ -34,8 +34,9 @@ public:
 
   /// Guides that have been followed with the same options are not followed again. Automatic surfaces lose the picks that
   /// guides keep.
-  void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, const GrowthLinks& links,
-    RawVector<PointId>& surfaces, std::vector<FollowedGuide>& followed, const Monitor& monitor);
+  void Follow(const TraceCube& cube, int sign, const ReflectionPicks& picks, const SurfaceMembers& members,
+    const GrowthLinks& links, RawVector<PointId>& surfaces, std::vector<FollowedGuide>& followed,
+    const Monitor& monitor);
 
   /// Must come after all guides are followed; only the columns of picks need be known.
   void JoinSigns(const CubeReflections& reflections);

@@ -93,14 +93,17 @@ private:
     const PointId part = this->Joining.Surfaces[pick];
     return part != NoPoint && this->SizeOf(part) >= SmallestPart ? part : NoPoint;
   }
-  PointId SizeOf(PointId part) const { return this->Joining.Starts[part + 1] - this->Joining.Starts[part]; }
+  PointId SizeOf(PointId part) const
+  {
+    return this->Joining.Members.Starts[part + 1] - this->Joining.Members.Starts[part];
+  }
 
   template <typename Visit>
   void ForEachMember(PointId part, Visit&& visit) const
   {
-    for (PointId n = this->Joining.Starts[part]; n < this->Joining.Starts[part + 1]; ++n)
+    for (PointId n = this->Joining.Members.Starts[part]; n < this->Joining.Members.Starts[part + 1]; ++n)
     {
-      visit(this->Joining.Members[n]);
+      visit(this->Joining.Members.Picks[n]);
     }
   }
 
@@ -224,7 +227,7 @@ private:
     std::int64_t news = 0;
     for (const PointId member : members)
     {
-      const PointId found = this->Found[this->Joining.Columns[member]];
+      const PointId found = this->Found[this->Joining.Members.Columns[member]];
       conflicts += found != NoPoint && !this->AreSameEvent(found, member) ? 1 : 0;
       news += found == NoPoint ? 1 : 0;
     }
@@ -234,7 +237,7 @@ private:
     }
     for (const PointId member : members)
     {
-      PointId& found = this->Found[this->Joining.Columns[member]];
+      PointId& found = this->Found[this->Joining.Members.Columns[member]];
       found = found == NoPoint ? member : found;
     }
     return true;
@@ -257,7 +260,7 @@ private:
       [&](PointId member)
       {
         members.push_back(member);
-        const std::int32_t column = this->Joining.Columns[member];
+        const std::int32_t column = this->Joining.Members.Columns[member];
         if (!misses.empty() && (this->Found[column] == member || this->Grown[column] == member))
         {
           front.push_back(column);
@@ -270,7 +273,7 @@ private:
     }
     for (const PointId miss : misses)
     {
-      front.push_back(this->Joining.Columns[miss]);
+      front.push_back(this->Joining.Members.Columns[miss]);
       sides[front.back()] = Far;
     }
     for (std::size_t n = 0; n < front.size(); ++n) // breadth first
@@ -287,7 +290,7 @@ private:
         });
     }
     members.erase(std::remove_if(members.begin(), members.end(),
-                    [&](PointId member) { return sides[this->Joining.Columns[member]] != Near; }),
+                    [&](PointId member) { return sides[this->Joining.Members.Columns[member]] != Near; }),
       members.end());
     return members;
   }
@@ -302,7 +305,7 @@ private:
   {
     GrowthRules rules{ this->Joining.Options.GrowthCorrelation, this->Joining.Options.GrowthReach };
     rules.Distances = &this->Distances;
-    return GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, this->Found, rules);
+    return GrowPlainly(this->Picks, this->Joining.Members.Columns, this->Joining.Links, this->Found, rules);
   }
 
   void GrowAround()
@@ -310,7 +313,8 @@ private:
     GrowthRules rules{ this->Joining.Options.GrowthCorrelation };
     rules.Reach = std::min(this->Joining.Options.GrowthReach, FarthestFromParts);
     rules.IsCareful = true;
-    this->Grown = GrowPlainly(this->Picks, this->Joining.Columns, this->Joining.Links, this->Found, rules).Picks;
+    this->Grown =
+      GrowPlainly(this->Picks, this->Joining.Members.Columns, this->Joining.Links, this->Found, rules).Picks;
   }
 
   /// Returns whether any part was taken.
@@ -410,16 +414,8 @@ private:
 };
 
 //----------------------------------------------------------------------------------------------------------------------
-GuidedJoining::GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
-  const GrowthLinks& links, int halfWidth, double period, const GuidanceOptions& options)
-  : Cube(cube)
-  , Picks(picks)
-  , Surfaces(surfaces)
-  , Links(links)
-  , HalfWidth(halfWidth)
-  , Options(options)
-  , Quarter(PickDepth(std::lround(period / 4.0 * DepthsPerSample)))
-  , Columns(picks.ListColumns())
+SurfaceMembers::SurfaceMembers(const ReflectionPicks& picks, const RawVector<PointId>& surfaces)
+  : Columns(picks.ListColumns())
 {
   CountingSort<PointId> sort(picks.Size());
   const auto forEach = [&](auto&& visit)
@@ -434,9 +430,23 @@ GuidedJoining::GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks
   };
   forEach([&](PointId pick) { sort.Count(surfaces[pick]); });
   sort.EndCounting();
-  this->Members.resize(sort.Size());
-  forEach([&](PointId pick) { this->Members[sort.NextPosition(surfaces[pick])] = pick; });
+  this->Picks.resize(sort.Size());
+  forEach([&](PointId pick) { this->Picks[sort.NextPosition(surfaces[pick])] = pick; });
   this->Starts.assign(sort.Firsts(), sort.Firsts() + picks.Size() + 1);
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+GuidedJoining::GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
+  const SurfaceMembers& members, const GrowthLinks& links, int halfWidth, double period, const GuidanceOptions& options)
+  : Cube(cube)
+  , Picks(picks)
+  , Surfaces(surfaces)
+  , Members(members)
+  , Links(links)
+  , HalfWidth(halfWidth)
+  , Options(options)
+  , Quarter(PickDepth(std::lround(period / 4.0 * DepthsPerSample)))
+{
 }
 
 //----------------------------------------------------------------------------------------------------------------------

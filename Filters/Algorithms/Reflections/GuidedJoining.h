@@ -93,12 +93,23 @@ struct FollowedGuide
   GuidedSurface Surface;
 };
 
+/// The picks of each automatic surface.
+struct SurfaceMembers
+{
+  SurfaceMembers(const ReflectionPicks& picks, const RawVector<PointId>& surfaces);
+
+  RawVector<std::int32_t> Columns; // by pick
+  std::vector<PointId> Starts; // by label of the surface, into Picks
+  RawVector<PointId> Picks;
+};
+
 class GuidedJoining
 {
 public:
-  /// `surfaces` come from BestFirstJoining. Picks are compared with given ones by waveforms of `halfWidth` samples.
+  /// `surfaces` come from BestFirstJoining, and have the members. Picks are compared with given ones by waveforms of `halfWidth` samples.
   GuidedJoining(const TraceCube& cube, const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
-    const GrowthLinks& links, int halfWidth, double period, const GuidanceOptions& options);
+    const SurfaceMembers& members, const GrowthLinks& links, int halfWidth, double period,
+    const GuidanceOptions& options);
 
   /// Seeds must be in different columns. Threads may call it in parallel.
   GuidedSurface Follow(std::vector<GuideSeed> seeds) const;
@@ -109,13 +120,11 @@ private:
   const TraceCube& Cube;
   const ReflectionPicks& Picks;
   const RawVector<PointId>& Surfaces;
+  const SurfaceMembers& Members;
   const GrowthLinks& Links;
   const int HalfWidth;
   const GuidanceOptions Options;
   const PickDepth Quarter; // period: nearer picks are the same event
-  RawVector<std::int32_t> Columns;
-  std::vector<PointId> Starts; // by label of the surface, into Members
-  RawVector<PointId> Members;
 };
 }
 

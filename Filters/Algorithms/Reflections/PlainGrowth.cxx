@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <queue>
 
 namespace SeismicHorizons
@@ -13,7 +14,7 @@ namespace
 {
 struct RimLink
 {
-  float Score = 0.0F;
+  float Score = -std::numeric_limits<float>::infinity();
   PointId To = NoPoint;
   int Reach = 0; // in columns
 
@@ -32,6 +33,7 @@ GrownPicks GrowPlainly(const ReflectionPicks& picks, const RawVector<std::int32_
   GrownPicks grown;
   grown.Picks.assign(picks.Starts.size() - 1, NoPoint);
   std::priority_queue<RimLink> rim;
+  std::vector<RimLink> best(grown.Picks.size()); // so far, by column; only these are ever followed
   const auto isFree = [&](std::int32_t column) { return starts[column] == NoPoint && grown.Picks[column] == NoPoint; };
   const auto addRim = [&](PointId pick, int distance)
   {
@@ -51,7 +53,12 @@ GrownPicks GrowPlainly(const ReflectionPicks& picks, const RawVector<std::int32_
           return;
         }
         const PickDepth step = rules.IsCareful ? std::abs(picks.Places[to] - picks.Places[pick]) : 0;
-        rim.push({ float(LinkScore(correlation, step)), to, next });
+        const RimLink link{ float(LinkScore(correlation, step)), to, next };
+        if (best[column] < link)
+        {
+          best[column] = link;
+          rim.push(link);
+        }
       });
   };
   for (const PointId pick : starts)

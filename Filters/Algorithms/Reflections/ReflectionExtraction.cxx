@@ -282,6 +282,7 @@ struct JoinedReflections
   // By sign, once they are needed:
   std::array<std::optional<RawVector<PointId>>, 2> Surfaces;
   std::array<double, 2> MedianCorrelations = { 0.0, 0.0 };
+  std::array<std::optional<SurfaceMembers>, 2> Members;
   std::array<std::optional<GrowthLinks>, 2> Links;
   std::array<std::vector<FollowedGuide>, 2> Followed;
   std::array<std::vector<PickValues>, 2> Values; // by sign and pick; empty unless they are kept
@@ -299,6 +300,7 @@ struct JoinedReflections
   {
     this->Picks.BySign[sign].FreePicks();
     this->Surfaces[sign].reset();
+    this->Members[sign].reset();
     this->Links[sign].reset();
     this->Followed[sign].clear();
   }
@@ -448,7 +450,12 @@ RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, const Extractio
     {
       links = guided.FindLinks(cube, picks, monitor.Step(0.7, 0.9));
     }
-    guided.Follow(cube, sign, picks, *links, surfaces, joined.Followed[sign], monitor.Step(0.9, 1.0));
+    std::optional<SurfaceMembers>& members = joined.Members[sign];
+    if (!members)
+    {
+      members.emplace(picks, surfaces);
+    }
+    guided.Follow(cube, sign, picks, *members, *links, surfaces, joined.Followed[sign], monitor.Step(0.9, 1.0));
   }
   return surfaces;
 }
