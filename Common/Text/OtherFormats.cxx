@@ -33,7 +33,7 @@ struct Format
 };
 
 /// The first signature that fits applies.
-constexpr std::array<Format, 23> Formats = { {
+constexpr std::array<Format, 24> Formats = { {
   { "LASF"sv, "a point cloud (LAS)", "convert it to text, as with pdal translate, or open it in ParaView" },
   { "AutoCAD Binary DXF"sv, "a drawing (DXF)", AsText },
   { "\0\0\x27\x0A"sv, "a shapefile", AsTable },
@@ -50,6 +50,7 @@ constexpr std::array<Format, 23> Formats = { {
   { "\xFF\xD8\xFF"sv, "a picture (JPEG)", AsText },
   { "ply\n"sv, "a triangle mesh (PLY)", AsVertices },
   { "ply\r"sv, "a triangle mesh (PLY)", AsVertices },
+  { "$MeshFormat"sv, "a mesh of Gmsh", AsVertices },
   { "# vtk DataFile"sv, "a VTK file", AsPoints },
   { "<VTKFile"sv, "a VTK file", AsPoints },
   { "<?xml"sv, "an XML file", AsText },

@@ -27,9 +27,9 @@ class Cube:
 
     Attributes
     ----------
-    values : array of shape (rows, columns, samples), or None
+    values : array of shape (rows, columns, samples)
         Rows are inlines. nan where there is no sample. Values are meaningless where `known` is False; `read_cube` sets
-        them to 0. None where samples stay in the file (`load=False`).
+        them to 0. Of shape (0, 0, 0) if samples stay in the file (`load=False`).
     lattice : Lattice
         The lattice of the traces, with samples as vertical indices.
     known : bool array of the same shape, or None
@@ -46,7 +46,7 @@ class Cube:
         How the file was interpreted, line by line.
     """
 
-    values: NDArray[Any] | None
+    values: NDArray[Any]
     lattice: Lattice
     known: NDArray[np.bool_] | None = None
     line: Floats | None = None
@@ -60,7 +60,7 @@ class Cube:
     _file: _core.CubeFile | None = None
 
     def __post_init__(self) -> None:
-        if self.values is None and self._file is not None:
+        if self._file is not None:
             return
         if np.ndim(self.values) != 3:
             raise ValueError("values of %d axes, expected (rows, columns, samples)" % np.ndim(self.values))
@@ -90,7 +90,7 @@ class Cube:
         if self.lattice.lines is not None:
             fields["LineNumbers"] = np.array(self.lattice.lines)
         data = {"extent": [0, columns - 1, 0, rows - 1, 0, samples - 1], "to_world": to_world, "field_data": fields}
-        if self.values is None:
+        if self._file is not None:
             return {**data, "file": self._file}
         own = np.asarray(self.values).dtype
         taken = np.dtype(np.float32) if own.kind == "f" and own.itemsize not in (4, 8) else own.newbyteorder("=")
@@ -177,7 +177,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
                                   first_z=whole.first_z + first_k * whole.vertical_step)
     ghosts = points.get("vtkGhostType")
     amplitudes = next((values for name, values in points.items() if name != "vtkGhostType"), None)
-    return Cube(None if amplitudes is None else amplitudes.reshape(shape).transpose(1, 2, 0), lattice,
+    return Cube(np.zeros((0, 0, 0), np.float32) if amplitudes is None else amplitudes.reshape(shape).transpose(1, 2, 0), lattice,
                 None if ghosts is None else (ghosts == 0).reshape(shape).transpose(1, 2, 0),
                 data["line"][:, :2].reshape(*shape[1:], 2) if "line" in data else None, stem(path), direction or "down",
                 taken=tuple(in_keywords(data["description"]).splitlines()), _file=None if load else file[0], **survey(fields))

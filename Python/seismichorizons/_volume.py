@@ -194,7 +194,7 @@ def amplitudes(cube: Cube, horizon: Horizon, base: Horizon | None = None, *, abo
     """
     if not isinstance(cube, Cube):
         raise TypeError("amplitudes of %s, expected a Cube: read_cube(path) and cube(array) make one" % type(cube).__name__)
-    if cube.values is None:
+    if cube._file is not None:
         raise ValueError("amplitudes of %s, whose samples are in its file, expected them in memory: read_cube(path) without load=False" % cube.name)
     require_horizon(horizon, "amplitudes")
     for one in (horizon, *([] if base is None else [base])):

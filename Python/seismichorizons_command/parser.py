@@ -3,6 +3,7 @@
 """The parser of the command."""
 
 import argparse
+import difflib
 
 from . import NAME, VERSION_LINE, completion, options, screens, words
 from .arguments import path
@@ -18,8 +19,14 @@ class Parser(argparse.ArgumentParser):
         self._tell = tell
 
     def error(self, message):
-        self._tell("error", "%s (see --help)" % message)
+        self._tell("error", "%s%s (see --help)" % (message, self._meant(message)))
         self.exit(WRONG_COMMAND_LINE)
+
+    def _meant(self, message):
+        """Returns the options that are most like the unknown ones, as text."""
+        unknown = [word.partition("=")[0] for word in message.split() if word.startswith("--")] if message.startswith("unrecognized") else ()
+        found = [close for word in unknown for close in difflib.get_close_matches(word, self._option_string_actions, n=1)]
+        return "; did you mean %s?" % " ".join(found) if found else ""
 
     def parse_known_args(self, args=None, namespace=None):
         return super().parse_known_args(words.arrange(self, args), namespace)

@@ -100,9 +100,9 @@ private:
       }
       this->IsInBlock = text.back() != '}';
     }
-    else if (this->Keyword == "axis_unit" && words.size() > 3)
+    else if (this->Keyword == "axis_unit" && words.size() > 3 && this->IsPLine)
     {
-      SetVerticalUnit(this->File.Survey, KnownUnit(Unquote(words[3])));
+      this->TakeUnit(KnownUnit(Unquote(words[3])));
     }
     else if (this->Keyword == "zpositive")
     {
@@ -111,6 +111,19 @@ private:
     else if (this->IsPLine)
     {
       this->TakeGeometry(words);
+    }
+  }
+
+  void TakeUnit(const std::string& own)
+  {
+    const std::string& first = this->File.Survey.VerticalUnit;
+    if (!first.empty() && !own.empty() && own != first)
+    {
+      throw ErrorAt(this->Line, "z in " + own + ", expected " + first + " as in the polylines before");
+    }
+    if (first.empty())
+    {
+      SetVerticalUnit(this->File.Survey, own);
     }
   }
 

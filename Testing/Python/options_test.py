@@ -102,6 +102,8 @@ class OptionsTest(unittest.TestCase):
         self.assertEqual(self.settings("--columns", "-,X,Y,Z").reader, {"Columns": "-,X,Y,Z"})
         self.assertEqual(self.settings("--origin", "-1e5", "-2", "0").reader, {"Origin": [-1e5, -2.0, 0.0]})
         self.assertEqual(outcome("--columns", "--stages"), ["argument --columns: expected one argument (see --help)"])
+        self.assertEqual(outcome("--larges-error=3", "--xyz"), [
+            "unrecognized arguments: --larges-error=3 --xyz; did you mean --largest-error? (see --help)"])
 
     def test_left_out(self):
         settings = self.settings("--stages", "--skip-rough", "--horizons", "3", "1")

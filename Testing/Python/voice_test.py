@@ -103,6 +103,7 @@ class VoiceTest(CommandTest):
         "a.nc": (b"\x89HDF\r\n\x1a\n" + bytes(100), "an HDF5 file, as of netCDF"),
         "a.gpkg": (b"SQLite format 3\0" + bytes(100), "a database (SQLite), as of GeoPackage"),
         "a.vtk": ("# vtk DataFile Version 3.0\ntop\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n1 2 3\n", "a VTK file"),
+        "a.msh": ("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "a mesh of Gmsh"),
         "a.png": (b"\x89PNG\r\n\x1a\n" + bytes(100), "a picture (PNG)")}
 
     def test_files_of_other_programs(self):

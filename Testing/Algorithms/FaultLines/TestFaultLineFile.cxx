@@ -109,6 +109,15 @@ void PLines()
                    "ILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEND\n"
                    "GOCAD PLine 1\nILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEND \r\n"),
     "a: 1,2,3 4,5,6; : 1,2,-3 4,5,-6");
+  // Units are those of polylines alone, which must agree.
+  const auto inUnits = [](const std::string& points, const std::string& first, const std::string& second)
+  {
+    const auto object = [](const std::string& type, const std::string& unit)
+    { return "GOCAD " + type + " 1\nAXIS_UNIT m m " + unit + "\nILINE\nVRTX 1 1 2 3\nVRTX 2 4 5 6\nSEG 1 2\nEND\n"; };
+    return object("VSet", points) + object("PLine", first) + object("PLine", second);
+  };
+  CHECK_EQUAL(ReadFile(inUnits("ft", "m", "\"m\"")).Survey.VerticalUnit, "m");
+  CHECK_THROWS_WITH(ReadFile(inUnits("m", "m", "ft")), "line 16: z in ft, expected m as in the polylines before");
 }
 
 /// Whether a file that was cut off gives an error, or the first places and lines of the whole one, but for what its
