@@ -112,7 +112,8 @@ public:
   vtkHorizonNumberMacro(MinimumPatchSize, int);
 
   /**
-   * Use the mesh error as outline tolerance in map view, in columns, at most 0.75 unless Target is NumberOfTriangles.
+   * Use the mesh error as outline tolerance in map view, in columns, at most 0.75, or more if
+   * outlines would need over half of MaximumNumberOfTriangles.
    * Off: OutlineTolerance. Default: on.
    */
   vtkHorizonFlagMacro(AutomaticOutlineTolerance);

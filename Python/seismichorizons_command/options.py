@@ -192,8 +192,8 @@ def add_mesh_options(group):
     group.add_argument("--smallest-hole-size", type=number_at_least(int, 1), default=NOT_GIVEN, metavar="N", help="close "
                        "holes with fewer columns (default: automatic; 1 with --stages)")
     group.add_argument("--outline-tolerance", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
-                       help="largest horizontal deviation of outlines, in columns (default: the error, at most 0.75 unless "
-                       "--triangles is given; 0 with --stages)")
+                       help="largest horizontal deviation of outlines, in columns (default: the error, at most 0.75, more if "
+                       "outlines would need over half of --triangles; 0 with --stages)")
     group.add_argument("--distance-threshold", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
                        help="largest vertical deviation of outlines (default: the error; 0.4 with --stages)")
 

@@ -131,8 +131,6 @@ private:
 constexpr double Surplus = 4.0;
 // The error of as many leaves few more than the number.
 constexpr double SurplusForLargest = 2.0;
-// Points are inserted down to the error, as they cannot be taken back.
-constexpr double CoarseStart = 1.3;
 constexpr double FarFromInserted = 1.04;
 
 /// Fitting heights for a number of points flips edges even with the effort Fast.
@@ -318,7 +316,6 @@ void InsertAndSearch(
     mesh.SortByPlace();
     return MostVertices(mesh, options);
   };
-  first.MaximumError *= CoarseStart;
   ReduceLargestError(mesh, first, insert, monitor.Step(0.2, 1.0));
 }
 

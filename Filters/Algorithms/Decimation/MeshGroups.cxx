@@ -54,6 +54,7 @@ constexpr double LeastPower = 0.1;
 constexpr double MostPower = 4.0;
 constexpr double AimOfSearch = 0.99;
 constexpr double EnoughOfNumber = 0.98;
+constexpr double EnoughOfError = 0.97;
 constexpr double NearEnough = 1.01;
 constexpr double Away = 1.003; // of errors that were tried
 constexpr int MostTrials = 12;
@@ -64,7 +65,7 @@ constexpr double MostExpected = 1.02;
 constexpr double PowerOfRest = 0.245;
 // Steps that lead to too many vertices again may be larger, by the square: whole heights need as many vertices for any
 // error below a half.
-constexpr double FarthestStep = 1.5;
+constexpr double FarthestStep = 2.0;
 
 // Large enough that few edges lie between groups, small enough for many threads.
 constexpr double TrianglesOfGroup = 1500.0;
@@ -610,7 +611,9 @@ public:
       return false;
     }
     const Trial& best = this->IsFine(this->Last) ? this->Trials[fine] : this->Last;
-    return this->Left * best.Number >= EnoughOfNumber || this->IsNarrow() || this->IsLate();
+    const double number = this->Left * best.Number;
+    const double error = std::pow(number, 1.0 / std::min(this->Power, NumberPower)); // of this one, less would do
+    return number >= EnoughOfNumber || error >= EnoughOfError || this->IsNarrow() || this->IsLate();
   }
 
 private:

@@ -317,6 +317,8 @@ PlanePoint PlaceToSplit(const std::array<PlanePoint, 3>& corners)
 constexpr double ShareOfBest = 0.42;
 constexpr double ShareForSquares = 0.4;
 constexpr double ShareOfFast = 0.8;
+// Where near outlines need more of the triangles than this, whatever the error, they may be far.
+constexpr double LargestShareOfOutlines = 0.5;
 // Outlines for errors up to this factor away leave about the same inner points.
 constexpr double FarFromOutlines = 3.0;
 // Points that outlines keep can leave new slivers. The last reviews of slivers keep all points that were found; as many
@@ -396,6 +398,8 @@ private:
     const double width = double(box.Greatest.X) - box.Least.X + double(box.Greatest.Y) - box.Least.Y;
     const auto heights = std::minmax_element(this->Points.Height.begin(), this->Points.Height.end());
     const double height = *heights.second - *heights.first;
+    this->Simplify(width + height, Monitor());
+    this->AreOutlinesFar = double(this->CountTrianglesOfLoops()) > LargestShareOfOutlines * double(most);
     double known = 0.0; // outlines of the errors found
     std::vector<double> errors;
     // Rough horizons need about the first error, smooth horizons less, and large errors are fast. No points are farther
@@ -610,14 +614,14 @@ private:
   void SetParameters(double error)
   {
     const std::int64_t before = this->Result.Parameters.SmallestHoleSize;
-    this->Result.Parameters = ParametersFor(this->Options, this->Radius(), error);
+    this->Result.Parameters = ParametersFor(this->Options, this->Radius(), error, this->AreOutlinesFar);
     this->HasBoundary = this->HasBoundary && this->Result.Parameters.SmallestHoleSize == before;
   }
 
   /// Outlines for this error are of the holes at hand.
   bool HasHolesFor(double error) const
   {
-    return ParametersFor(this->Options, this->Radius(), error).SmallestHoleSize ==
+    return ParametersFor(this->Options, this->Radius(), error, this->AreOutlinesFar).SmallestHoleSize ==
       this->Result.Parameters.SmallestHoleSize;
   }
 
@@ -728,6 +732,7 @@ private:
   std::vector<double> KeptHeight;
   DroppedPoints Dropped;
   Loops Outlines;
+  bool AreOutlinesFar = false;
   KeptOfChains KnownChains; // within this error
   const std::vector<double>* Heights = nullptr;
 };
@@ -744,13 +749,12 @@ std::int64_t ChooseSmallestHoleSize(int radius, double outlineTolerance)
 }
 
 //----------------------------------------------------------------------------------------------------------------------
-SurfaceParameters ParametersFor(const SurfaceOptions& options, int radius, double error)
+SurfaceParameters ParametersFor(const SurfaceOptions& options, int radius, double error, bool areOutlinesFar)
 {
-  const bool isByNumber = options.MaximumNumberOfTriangles > 0;
   SurfaceParameters parameters;
   parameters.Radius = radius;
   parameters.MaximumError = error;
-  parameters.OutlineTolerance = options.OutlineTolerance.value_or(isByNumber ? error : ToleranceOfOutlines(error));
+  parameters.OutlineTolerance = options.OutlineTolerance.value_or(areOutlinesFar ? error : ToleranceOfOutlines(error));
   parameters.DistanceThreshold = options.DistanceThreshold.value_or(error);
   parameters.SmallestHoleSize = options.SmallestHoleSize
     ? *options.SmallestHoleSize

@@ -4,7 +4,7 @@
 // Makes a mesh from points: boundary, fewest points on outlines, decimation. An error or a number of triangles
 // determines:
 // - radius: the least that spans nearly all gaps between points
-// - tolerances: the error, for outlines of a given error at most 0.75 columns
+// - tolerances: the error, for outlines at most 0.75 columns, unless they need most of a number of triangles
 // - smallest hole: a square of side 2 radius + 1, as narrower holes are gaps that the radius spans, or of twice the
 // tolerance, as outlines may close narrower holes
 //
@@ -159,7 +159,8 @@ int ChooseRadius(const GapHistograms& gaps);
 int ChooseRadius(PlanePoints columns);
 
 /// The parameters that follow from an error, which is also the tolerance of a number of triangles.
-SurfaceParameters ParametersFor(const SurfaceOptions& options, int radius, double error);
+/// Far outlines have no limit of their tolerance, so that few triangles suffice for them.
+SurfaceParameters ParametersFor(const SurfaceOptions& options, int radius, double error, bool areOutlinesFar = false);
 BoundaryOptions BoundaryOptionsFor(const SurfaceOptions& options, const SurfaceParameters& parameters);
 
 // The number of triangles falls about as the error to the power of -1.5, a line in logarithms. The search follows it
