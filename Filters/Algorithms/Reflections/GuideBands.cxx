@@ -234,6 +234,25 @@ bool Sweep(
 }
 
 //----------------------------------------------------------------------------------------------------------------------
+std::vector<int> ChooseRows(int rows, int step, const std::vector<Guide>& guides)
+{
+  constexpr int anyPrime = 7919;
+  std::vector<int> chosen;
+  for (int first = 0; first < rows; first += step)
+  {
+    chosen.push_back(first + int(std::int64_t(first) / step * anyPrime % std::min(step, rows - first)));
+  }
+  for (const Guide& guide : guides)
+  {
+    for (const GuidePick& pick : guide.Picks)
+    {
+      chosen[std::size_t(pick.J / step)] = pick.J;
+    }
+  }
+  return chosen;
+}
+
+//----------------------------------------------------------------------------------------------------------------------
 std::vector<std::vector<float>> FollowRoughly(
   const TraceCube& cube, const std::vector<Guide>& guides, const BandOptions& options, const Monitor& monitor)
 {

@@ -24,6 +24,10 @@ struct BandOptions
   int LargestStep = 3; // from column to column, in samples
 };
 
+/// Chooses one of each `step` rows, with a pick where there is one: a survey may lack most lines, and each second one in
+/// particular.
+std::vector<int> ChooseRows(int rows, int step, const std::vector<Guide>& guides);
+
 /// Returns samples by guide and column, i fastest, everywhere: beyond faults and missing traces, guides go on level.
 std::vector<std::vector<float>> FollowRoughly(
   const TraceCube& cube, const std::vector<Guide>& guides, const BandOptions& options, const Monitor& monitor);

@@ -376,13 +376,14 @@ std::int64_t CountSamples(const TraceCube& cube)
   return std::int64_t(cube.Size[0]) * cube.Size[1] * cube.Size[2];
 }
 
-TraceLimits LimitsOfRows(const TraceLimits& limits, int columns, int step)
+TraceLimits LimitsOfRows(const TraceLimits& limits, int columns, const std::vector<int>& rows)
 {
   TraceLimits some;
-  for (std::size_t row = 0; row < limits.First.size(); row += std::size_t(columns) * step)
+  for (const int row : limits.AreNone() ? std::vector<int>() : rows)
   {
-    some.First.insert(some.First.end(), limits.First.begin() + row, limits.First.begin() + row + columns);
-    some.Last.insert(some.Last.end(), limits.Last.begin() + row, limits.Last.begin() + row + columns);
+    const std::ptrdiff_t begin = std::ptrdiff_t(row) * columns;
+    some.First.insert(some.First.end(), limits.First.begin() + begin, limits.First.begin() + begin + columns);
+    some.Last.insert(some.Last.end(), limits.Last.begin() + begin, limits.Last.begin() + begin + columns);
   }
   return some;
 }
@@ -392,8 +393,9 @@ std::shared_ptr<JoinedReflections> FindPicksNear(const std::vector<Guide>& guide
   const ExtractionOptions& options, TraceLimits& limits, const Monitor& monitor)
 {
   const int step = int((CountSamples(cube) - 1) / SamplesThatShow) + 1;
+  const std::vector<int> rows = ChooseRows(cube.Size[1], step, guides);
   std::shared_ptr<JoinedReflections> joined =
-    FindPicks(EveryRow(cube, step), options, true, LimitsOfRows(limits, cube.Size[0], step), monitor.Step(0.0, 0.1));
+    FindPicks(TakeRows(cube, rows), options, true, LimitsOfRows(limits, cube.Size[0], rows), monitor.Step(0.0, 0.1));
   const double period = joined->Picks.Period;
   const TraceCube smoothed = Smoothed(cube, *joined);
   const BandOptions ofPaths{ HalfWidth(HalfPathWindow, period), HalfWidth(StepOfPaths, period) };

@@ -43,11 +43,11 @@ void ForEachTrace(const TraceCube& cube, int j, std::vector<float>& block, Work&
   }
 }
 
-/// Every `step`-th row from the first on.
-inline TraceCube EveryRow(const TraceCube& cube, int step)
+/// Has some rows of the cube.
+inline TraceCube TakeRows(const TraceCube& cube, const std::vector<int>& rows)
 {
-  return { { cube.Size[0], (cube.Size[1] - 1) / step + 1, cube.Size[2] },
-    [cube, step](int j, int first, int count, float* traces) { cube.Read(j * step, first, count, traces); } };
+  return { { cube.Size[0], int(rows.size()), cube.Size[2] },
+    [cube, rows](int j, int first, int count, float* traces) { cube.Read(rows[j], first, count, traces); } };
 }
 
 /// Each trace is changed by change(trace, samples); each reading has a copy of `change` with its own buffers.

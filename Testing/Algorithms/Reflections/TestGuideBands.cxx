@@ -80,6 +80,21 @@ void TestEdges()
   CHECK_EQUAL(FollowRoughly(single.View(), { { "A", { { 0, 0, 29.0 } } } }, Usual, Monitor())[0][0], 29.0F);
 }
 
+/// Of each few rows one is chosen, that of a pick if there is one, and neither even nor odd ones alone.
+void TestRows()
+{
+  const std::vector<int> rows = ChooseRows(1003, 10, { { "A", { { 0, 77, 1.0 }, { 0, 1002, 1.0 } } } });
+  int odd = 0;
+  for (std::size_t n = 0; n < rows.size(); ++n)
+  {
+    CHECK_EQUAL(rows[n] / 10, int(n));
+    odd += rows[n] % 2;
+  }
+  CHECK_EQUAL(rows.size(), 101u);
+  CHECK(rows[7] == 77 && rows[100] == 1002);
+  CHECK(odd > 30 && odd < 70);
+}
+
 /// Scores each guide of a cube alone.
 GuideScore Score(const CubeGenerator& cube, const Traces& traces, std::int64_t largestWhole)
 {
@@ -146,6 +161,7 @@ int TestGuideBands(int, char*[])
 {
   TestPaths();
   TestEdges();
+  TestRows();
   TestLikeWhole();
   TestOptions();
   return Check::Result();
