@@ -6,10 +6,14 @@
 
 #include "Readers/SEGYCube/SEGYWindow.h"
 #include "SEGYSample.h"
+#include "Tools/Check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <unistd.h>
 
 #include <string>
@@ -65,6 +69,33 @@ inline CubeExtent Whole(const SEGYCube& cube)
   return { 0, cube.Lattice.Columns[0] - 1, 0, cube.Lattice.Columns[1] - 1, 0, cube.Sampling.Indices - 1 };
 }
 
+/// How many samples are others where traces are read alone, and stay in the file: those that are not there are nan.
+inline int CountOtherTraces(const SEGYCube& cube, const Window& window)
+{
+  const CubeExtent& extent = window.Extent;
+  const SEGYTraces traces(std::make_shared<const SEGYCube>(cube), extent);
+  const int levels = extent[5] - extent[4] + 1;
+  int other = 0;
+  for (int j = extent[2]; j <= extent[3]; ++j)
+  {
+    for (int first = extent[0]; first <= extent[1]; first += 3)
+    {
+      const int count = std::min(3, extent[1] + 1 - first);
+      std::vector<float> samples(std::size_t(count) * std::size_t(levels), 0.0f);
+      traces.Read(j - extent[2], first - extent[0], count, samples.data());
+      for (std::size_t n = 0; n < samples.size(); ++n)
+      {
+        const int i = first + int(n) / levels;
+        const int k = extent[4] + int(n) % levels;
+        const float expected = window.At(i, j, k);
+        const bool isThere = window.IsThere(i, j, k) && !std::isnan(expected);
+        other += isThere ? samples[n] != expected : !std::isnan(samples[n]);
+      }
+    }
+  }
+  return other;
+}
+
 /// Reads a window; values that are not written would be nan.
 inline Window ReadWindow(const SEGYCube& cube, const CubeExtent& extent, const Monitor& monitor = Monitor())
 {
@@ -74,6 +105,7 @@ inline Window ReadWindow(const SEGYCube& cube, const CubeExtent& extent, const M
     std::size_t(extent[5] - extent[4] + 1);
   window.Values.assign(size, std::numeric_limits<float>::quiet_NaN());
   window.Marks = ReadSEGYWindow(cube, extent, window.Values.data(), monitor);
+  CHECK_EQUAL(CountOtherTraces(cube, window), 0);
   return window;
 }
 
