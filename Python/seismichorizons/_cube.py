@@ -163,7 +163,7 @@ def read_cube(path: str | os.PathLike[str], *, inlines: tuple[int, int] | None =
     file: list[_core.CubeFile] = []
 
     def read_file() -> Any:
-        file.append(_core.CubeFile(str(path), options, progress))
+        file.append(_core.CubeFile(str(path if load else path.absolute()), options, progress))
         return file[0].read(*where[1:], load, progress)
 
     data = call(str(path), read_file)

@@ -334,9 +334,9 @@ SEGYCube ReadSEGYCube(const std::string& name, const SEGYOptions& options, const
   CheckSEGYOptions(options);
   SEGYCube cube;
   cube.Name = name;
-  const FileStamp stamp = MakeFileStamp(name);
+  cube.Stamp = MakeFileStamp(name);
   std::ifstream stream = OpenPlainFile(name);
-  cube.Header = ReadSEGYHeader(stream, std::int64_t(stamp.Size), options);
+  cube.Header = ReadSEGYHeader(stream, std::int64_t(cube.Stamp.Size), options);
   cube.Warnings = cube.Header.Warnings;
   TraceTable table = ReadTraceTable(name, cube.Header, FieldsToRead(options), monitor.Step(0.0, 0.7));
   RefuseOtherLengths(table);

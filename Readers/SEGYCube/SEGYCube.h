@@ -11,6 +11,7 @@
 #include "Common/Survey/SurveyDescription.h"
 #include "Common/Survey/SurveyLattice.h"
 #include "Common/Survey/VerticalSampling.h"
+#include "Common/Text/InputFile.h"
 #include "SEGYHeader.h"
 
 #include <cstdint>
@@ -62,6 +63,7 @@ struct DuplicateTrace
 struct SEGYCube
 {
   std::string Name;
+  FileStamp Stamp; // when the headers were read
   SEGYHeader Header;
   FieldPair LineFields;
   FieldPair PlaceFields; // NoField if line numbers replace places.

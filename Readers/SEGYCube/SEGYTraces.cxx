@@ -3,6 +3,8 @@
 
 #include "SEGYTraces.h"
 
+#include "Common/Text/FileErrors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -203,12 +205,25 @@ struct SEGYTraces::Readers
   std::mutex Mutex;
   std::vector<std::unique_ptr<TileReader>> Idle;
 
+  std::unique_ptr<TileReader> Open() const
+  {
+    return PrefixFileErrors(this->Cube->Name,
+      [&]()
+      {
+        if (!(MakeFileStamp(this->Cube->Name) == this->Cube->Stamp))
+        {
+          throw InputError("changed since its headers were read, expected the same file: read it again");
+        }
+        return std::make_unique<TileReader>(*this->Cube, this->Extent);
+      });
+  }
+
   std::unique_ptr<TileReader> Take()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (this->Idle.empty())
     {
-      return std::make_unique<TileReader>(*this->Cube, this->Extent);
+      return this->Open();
     }
     std::unique_ptr<TileReader> reader = std::move(this->Idle.back());
     this->Idle.pop_back();

@@ -4,7 +4,9 @@
 and a folder.
 """
 
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import unittest
@@ -43,6 +45,34 @@ class NearPicksTest(unittest.TestCase):
         self.assertEqual(staying.values.shape, (0, 0, 0))
         with self.assertRaisesRegex(ValueError, "amplitudes of cube, whose samples are in its file, expected them in memory"):
             package.amplitudes(staying, found[name])
+
+    def test_other_files_are_refused(self):
+        own = FOLDER / "own.sgy"
+        picks = {name: places[::len(places) // 4] for name, places in self.truth.items()}
+
+        def change():
+            with open(own, "r+b") as file:
+                file.seek(-4, 2)
+                file.write(b"\1\2\3\4")
+            os.utime(own, (1e9, 1e9))
+
+        for spoil, words in ((change, "own.sgy: changed since its headers were read, expected the same file"),
+                             (lambda: os.truncate(own, 100000), "own.sgy: changed since"), (own.unlink, "own.sgy: no such file")):
+            shutil.copy(self.path, own)
+            cube = package.read_cube(own, load=False)
+            spoil()
+            with self.assertRaisesRegex((ValueError, OSError), words):
+                package.extract(cube, picks)
+
+    def test_the_folder_may_change(self):
+        before = os.getcwd()
+        try:
+            os.chdir(FOLDER)
+            cube = package.read_cube(self.path.name, load=False)
+        finally:
+            os.chdir(before)
+        name, places = next(iter(self.truth.items()))
+        self.assertGreater(len(package.extract(cube, {name: places[::500]})[name]), 1000)
 
     def test_command_reads_near_picks(self):
         text = FOLDER / "near.txt"
