@@ -56,7 +56,7 @@ void WarnOfGuide(
   if (!use.Strays.empty())
   {
     found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Strays, guide) +
-      ", are on another event than those around them, expected one event: they were not followed");
+      ", are on another event than those around them, expected one event: followed only where waveforms prefer them");
   }
   if (2 * use.Unused.size() > guide.Places.size())
   {

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// 1. Columns where both candidates agree are kept. The others form regions, connected along i and j, without jumps.
-// 2. A region of two candidates takes the one that resembles the given picks more, and continues into the columns kept.
-// The seam counts less if the region is wide for it. Parts of automatic surfaces have an advantage, as long waveforms
-// join them.
+// 1. Columns of given picks are kept, and those where both candidates agree. The others form regions, connected along i
+// and j, without jumps.
+// 2. A region of two candidates takes the one that continues more given picks beside it, and else the one that resembles
+// them more and continues into the columns kept. The seam counts less if the region is wide for it. Parts of automatic
+// surfaces have an advantage, as long waveforms join them.
 // 3. Regions are decided again, as decided neighbours say more than empty ones.
-// 4. Regions of one candidate are kept if they continue columns kept.
+// 4. Regions of one candidate are kept if they continue columns kept, or given picks.
 
 #include "GrowthVote.h"
 
@@ -86,7 +87,12 @@ private:
     for (std::size_t column = 0; column < this->Columns.size(); ++column)
     {
       const auto n = std::int32_t(column);
-      if (this->AreConflicting(n) && std::abs(this->PlaceOf(n, 0) - this->PlaceOf(n, 1)) <= this->Quarter)
+      const auto& [parts, growth] = this->Columns[column];
+      if (parts.IsGiven || growth.IsGiven)
+      {
+        this->Sides[column] = parts.IsGiven ? VoteSide::Parts : VoteSide::Growth;
+      }
+      else if (this->AreConflicting(n) && std::abs(this->PlaceOf(n, 0) - this->PlaceOf(n, 1)) <= this->Quarter)
       {
         this->Sides[column] = VoteSide::Parts;
       }
@@ -172,13 +178,33 @@ private:
     {
       if (this->AreConflicting(region.front()))
       {
-        const VoteSide side = this->Lead(region, kept) > 0.0 ? VoteSide::Parts : VoteSide::Growth;
+        const std::int64_t ahead = this->CountContinued(region, 0) - this->CountContinued(region, 1);
+        const double lead = ahead != 0 ? double(ahead) : this->Lead(region, kept);
+        const VoteSide side = lead > 0.0 ? VoteSide::Parts : VoteSide::Growth;
         for (const std::int32_t column : region)
         {
           this->Sides[column] = side;
         }
       }
     }
+  }
+
+  /// Counts pairs with given picks, other than strays, that the side continues.
+  std::int64_t CountContinued(const Region& region, int side) const
+  {
+    std::int64_t continued = 0;
+    for (const std::int32_t column : region)
+    {
+      this->ForEachBeside(column,
+        [&](std::int64_t next)
+        {
+          const Candidate& given = this->Columns[next][0];
+          const bool isNear =
+            given.IsGiven && std::abs(this->PlaceOf(column, side) - this->Picks.Places[given.Pick]) <= this->Quarter;
+          continued += isNear ? 1 : 0;
+        });
+    }
+    return continued;
   }
 
   double MeanContrast(const Region& region, int side) const
@@ -231,7 +257,8 @@ private:
       }
       const int side = this->Has(first, 0) ? 0 : 1;
       const SeamCounts seam = this->MeasureSeam(region, side, kept);
-      if (seam.Pairs > 0 && double(seam.Continues) >= SmallestContinuing * double(seam.Pairs))
+      const bool isContinuing = seam.Pairs > 0 && double(seam.Continues) >= SmallestContinuing * double(seam.Pairs);
+      if (isContinuing || this->CountContinued(region, side) > 0)
       {
         isAny = true;
         for (const std::int32_t column : region)

@@ -27,6 +27,7 @@ struct Candidate
   float Likeness = 0.0F; // largest correlation with the nearest given picks, -1 to 1
   float Contrast = 0.0F; // absolute logarithm of the ratio of its strength to that of the nearest given pick
   bool IsPart = false; // of an automatic surface
+  bool IsGiven = false; // of both sides; strays are of Growth alone
 };
 
 /// By VoteSide.

@@ -54,7 +54,7 @@ public:
     this->FindNearest();
   }
 
-  void Compare(std::vector<Candidates>& columns)
+  void Compare(const std::vector<VoteSide>& sides, std::vector<Candidates>& columns)
   {
     std::vector<float> block;
     for (int j = 0; j < this->Cube.Size[1]; ++j)
@@ -69,9 +69,9 @@ public:
             return;
           }
           this->Cutter.SetTrace(trace, this->Cube.Size[2]);
-          for (Candidate& candidate : candidates)
+          for (const VoteSide side : sides)
           {
-            this->Compare(this->Nearest[column], candidate);
+            this->Compare(this->Nearest[column], candidates[int(side)]);
           }
         });
     }
@@ -223,9 +223,9 @@ private:
 
 //----------------------------------------------------------------------------------------------------------------------
 void CompareWithGiven(const TraceCube& cube, const ReflectionPicks& picks, const std::vector<PointId>& given,
-  int halfWidth, std::vector<Candidates>& columns)
+  int halfWidth, const std::vector<VoteSide>& sides, std::vector<Candidates>& columns)
 {
-  GivenPicks(cube, picks, given, halfWidth).Compare(columns);
+  GivenPicks(cube, picks, given, halfWidth).Compare(sides, columns);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -15,10 +15,10 @@
 
 namespace SeismicHorizons
 {
-/// Sets likeness and contrast of candidates. Waveforms reach `halfWidth` samples to each side; `given` picks, by
-/// ascending column, are at least one.
+/// Sets likeness and contrast of candidates of the sides. Waveforms reach `halfWidth` samples to each side; `given` picks,
+/// by ascending column, are at least one.
 void CompareWithGiven(const TraceCube& cube, const ReflectionPicks& picks, const std::vector<PointId>& given,
-  int halfWidth, std::vector<Candidates>& columns);
+  int halfWidth, const std::vector<VoteSide>& sides, std::vector<Candidates>& columns);
 
 /// Counts pairs of neighbours along i and j that are more than half a period apart where no fault is: layers around
 /// the surface jump along with it at a fault, and continue straight on where it changes the event. `surface` is by

@@ -22,7 +22,7 @@ struct GuideUse
   std::int64_t OtherSign = 0; // picks that mean the other sign
   std::int64_t Turned = 0; // those of them that are followed, where polarity turns
   std::vector<std::size_t> Unused; // picks without a reflection in tolerance
-  std::vector<std::size_t> Strays; // picks that contradict other picks
+  std::vector<std::size_t> Strays; // picks that contradict others; they are kept
   std::int64_t Shared = 0; // picks that another guide has, too
   std::size_t SharedWith = 0; // the guide that shares most
   std::int64_t Doubtful = 0; // picks dropped for their confidence

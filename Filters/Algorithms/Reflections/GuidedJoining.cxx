@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // 1. Parts of surfaces with picks of the guide are taken. If a part passes more picks elsewhere than it has, its picks
-// are strays; if few, it ran into another event and is cut half-way.
+// are strays, which steer no parts; if few, it ran into another event and is cut half-way.
 // 2. The surface grows from all its picks at once, best link first (Prim 1957), into free columns. Parts growing from
 // both sides stop each other.
 // 3. Parts that growth runs along are taken whole, as they are more reliable, and the surface grows anew.
-// 4. Parts lose where plain growth from the picks alone is better (GrowthVote.h), as a part may run into another event.
+// 4. Parts lose where plain growth from all picks, strays too, is better (GrowthVote.h), as a part may run into another
+// event, and a stray may be the one good pick behind a fault.
 
 #include "GuidedJoining.h"
 
@@ -63,14 +64,12 @@ public:
   {
     std::sort(seeds.begin(), seeds.end(), [](const GuideSeed& a, const GuideSeed& b) { return a.Column < b.Column; });
     GuidedSurface result;
-    this->Seeds = std::move(seeds);
-    this->DropStrays(result.Strays);
-    for (const GuideSeed& seed : this->Seeds)
-    {
-      this->Found[seed.Column] = seed.Pick;
-    }
+    this->Given = std::move(seeds);
     this->MeasureDistances();
+    this->PlaceSeeds(this->Given);
     const GrownPicks plain = this->GrowFromSeeds();
+    this->SetStraysAside(result.Strays);
+    this->PlaceSeeds(this->Seeds);
     for (const PointId part : ListParts(this->CountVotes(), [](const Votes& vote) { return vote.Hits >= vote.Misses; }))
     {
       this->TakePart(part, LargestSeededConflict);
@@ -162,8 +161,19 @@ private:
     return misses;
   }
 
-  void DropStrays(std::vector<std::size_t>& strays)
+  void PlaceSeeds(const std::vector<GuideSeed>& seeds)
   {
+    std::fill(this->Found.begin(), this->Found.end(), NoPoint);
+    for (const GuideSeed& seed : seeds)
+    {
+      this->Found[seed.Column] = seed.Pick;
+    }
+  }
+
+  /// Unless each pick contradicts the others.
+  void SetStraysAside(std::vector<std::size_t>& strays)
+  {
+    this->Seeds = this->Given;
     const std::map<PointId, Votes> votes = this->CountVotes();
     const auto isStray = [&](const GuideSeed& seed)
     {
@@ -178,7 +188,10 @@ private:
       }
     }
     std::sort(strays.begin(), strays.end());
-    this->Seeds.erase(std::remove_if(this->Seeds.begin(), this->Seeds.end(), isStray), this->Seeds.end());
+    if (strays.size() < this->Seeds.size())
+    {
+      this->Seeds.erase(std::remove_if(this->Seeds.begin(), this->Seeds.end(), isStray), this->Seeds.end());
+    }
   }
 
   /// Distances take two passes, over the columns before and after.
@@ -186,7 +199,7 @@ private:
   {
     const auto [columns, rows] = this->Picks.Columns;
     this->Distances.assign(this->Found.size(), columns + rows);
-    for (const GuideSeed& seed : this->Seeds)
+    for (const GuideSeed& seed : this->Given)
     {
       this->Distances[seed.Column] = 0;
     }
@@ -345,7 +358,8 @@ private:
     return isAny;
   }
 
-  /// Parts lose where growth from the given picks alone is better.
+  /// Parts lose where growth from the given picks alone is better. Around a stray what it contradicts is not compared with
+  /// it.
   void Vote(const std::vector<PointId>& plain)
   {
     std::vector<Candidates> columns(this->Found.size());
@@ -356,13 +370,24 @@ private:
       columns[column][0].IsPart = found != NoPoint;
       columns[column][1].Pick = plain[column];
     }
-    std::vector<PointId> given;
+    for (const GuideSeed& seed : this->Given)
+    {
+      columns[seed.Column][1].Pick = seed.Pick;
+      columns[seed.Column][1].IsGiven = true;
+    }
     for (const GuideSeed& seed : this->Seeds)
     {
-      given.push_back(seed.Pick);
-      columns[seed.Column][1].Pick = seed.Pick;
+      columns[seed.Column][0].IsGiven = true;
     }
-    CompareWithGiven(this->Joining.Cube, this->Picks, given, this->Joining.HalfWidth, columns);
+    if (this->Seeds.size() == this->Given.size())
+    {
+      this->Compare({ VoteSide::Parts, VoteSide::Growth }, this->Given, columns);
+    }
+    else
+    {
+      this->Compare({ VoteSide::Parts }, this->Seeds, columns);
+      this->Compare({ VoteSide::Growth }, this->Given, columns);
+    }
     const std::vector<VoteSide> sides = VoteByRegions(this->Picks, columns, this->Joining.Quarter);
     this->Kept.resize(columns.size());
     for (std::size_t column = 0; column < columns.size(); ++column)
@@ -374,15 +399,23 @@ private:
     }
   }
 
+  void Compare(
+    const std::vector<VoteSide>& sides, const std::vector<GuideSeed>& seeds, std::vector<Candidates>& columns) const
+  {
+    std::vector<PointId> given(seeds.size());
+    std::transform(seeds.begin(), seeds.end(), given.begin(), [](const GuideSeed& seed) { return seed.Pick; });
+    CompareWithGiven(this->Joining.Cube, this->Picks, given, this->Joining.HalfWidth, sides, columns);
+  }
+
   void Write(GuidedSurface& result) const
   {
     const std::vector<float> confidence = MeasureConfidence(this->Picks, this->Kept, this->Joining.Quarter);
     std::vector<PointId> surface(this->Kept.size(), NoPoint);
-    auto seed = this->Seeds.begin();
+    auto seed = this->Given.begin();
     for (std::size_t column = 0; column < this->Kept.size(); ++column)
     {
       const Candidate& kept = this->Kept[column];
-      const bool isSeed = seed != this->Seeds.end() && std::size_t(seed->Column) == column;
+      const bool isSeed = seed != this->Given.end() && std::size_t(seed->Column) == column;
       if (isSeed)
       {
         result.Picks.push_back({ kept.Pick, PickOrigin::Guide });
@@ -406,7 +439,8 @@ private:
 
   const GuidedJoining& Joining;
   const ReflectionPicks& Picks;
-  std::vector<GuideSeed> Seeds;
+  std::vector<GuideSeed> Given; // by column
+  std::vector<GuideSeed> Seeds; // of them those that are no strays
   std::vector<PointId> Found; // by column: seeds and parts
   std::vector<PointId> Grown;
   std::vector<Candidate> Kept; // by column

@@ -80,7 +80,7 @@ struct GuidedPick
 struct GuidedSurface
 {
   std::vector<GuidedPick> Picks; // one per column, ascending
-  std::vector<std::size_t> Strays; // picks of the guide that contradict other picks
+  std::vector<std::size_t> Strays; // picks of the guide that contradict others; they are kept
   std::int64_t Doubtful = 0; // picks dropped for their confidence
   std::int64_t Seams = 0; // pairs of neighbours along i and j more than half a period apart where no fault is
   std::int64_t Stopped = 0; // empty columns just beyond the reach of growth

@@ -111,6 +111,19 @@ auto OnThreads(Work&& work)
   threads = usual;
   return std::make_pair(std::move(one), std::move(three));
 }
+
+/// A wavelet of three samples at a place.
+inline void Put(float* trace, int sample, float strength)
+{
+  trace[sample - 1] += strength;
+  trace[sample] += 2.0F * strength;
+  trace[sample + 1] += strength;
+}
+
+inline Extraction Follow(const Traces& traces, const std::vector<Guide>& guides, const ExtractionOptions& options = {})
+{
+  return ExtractReflections(traces.View(), options, Monitor(), guides);
+}
 }
 
 #endif

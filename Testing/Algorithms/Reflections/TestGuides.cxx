@@ -17,14 +17,6 @@ using namespace PickFixtures;
 
 namespace
 {
-/// A wavelet of three samples at a place.
-void Put(float* trace, int sample, float strength)
-{
-  trace[sample - 1] += strength;
-  trace[sample] += 2.0F * strength;
-  trace[sample + 1] += strength;
-}
-
 /// Two flat layers, at samples 10 and 25, the upper one positive and the lower one negative.
 Traces TwoLayers(const std::array<int, 3>& size = { 40, 30, 40 })
 {
@@ -35,11 +27,6 @@ Traces TwoLayers(const std::array<int, 3>& size = { 40, 30, 40 })
     Put(traces.Trace(n % size[0], n / size[0]), 25, -2.0F);
   }
   return traces;
-}
-
-Extraction Follow(const Traces& traces, const std::vector<Guide>& guides, const ExtractionOptions& options = {})
-{
-  return ExtractReflections(traces.View(), options, Monitor(), guides);
 }
 
 std::map<int, int> CountOrigins(const LatticeHorizon& surface)
@@ -104,30 +91,6 @@ void TestReach()
   CHECK_EQUAL(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Guides[0].Stopped, 7);
   options.Guidance.GrowthReach = 0;
   CHECK_EQUAL(Follow(small, { { "upper", { { 0, 0, 10.0 } } } }, options).Surfaces[0].Column.size(), 1u);
-}
-
-/// Picks on another event than the others of their guide are named, and not followed; those near nothing are not used.
-void TestBadPicks()
-{
-  Traces traces = Empty({ 40, 30, 60 });
-  for (int n = 0; n < 1200; ++n)
-  {
-    Put(traces.Trace(n % 40, n / 40), 10, 1.0F);
-    Put(traces.Trace(n % 40, n / 40), 25, 2.0F);
-    Put(traces.Trace(n % 40, n / 40), 40, -2.0F);
-  }
-  const Extraction found = Follow(traces,
-    { { "upper", { { 3, 3, 10 }, { 30, 3, 10 }, { 20, 20, 25 }, { 3, 25, 10 }, { 35, 25, 10 }, { 9, 9, 17 } } } });
-  CHECK_EQUAL(found.Guides[0].Strays.size(), 1u);
-  CHECK_EQUAL(found.Guides[0].Strays.at(0), 2u);
-  CHECK_EQUAL(found.Guides[0].Unused.size(), 1u);
-  CHECK_EQUAL(found.Guides[0].Unused.at(0), 5u);
-  CHECK_EQUAL(found.Surfaces[0].Column.size(), 1200u);
-  CHECK(std::all_of(found.Surfaces[0].K.begin(), found.Surfaces[0].K.end(), [](int k) { return k == 10; }));
-  const Extraction mixed = Follow(traces, { { "mixed", { { 3, 3, 25 }, { 30, 3, 25 }, { 20, 20, 40 } } } });
-  CHECK(!mixed.Guides[0].IsNegative);
-  CHECK_EQUAL(mixed.Guides[0].OtherSign, 1);
-  CHECK_EQUAL(mixed.Guides[0].Unused.size(), 1u);
 }
 
 /// Two guides of one event both have it whole, and others are what neither has.
@@ -383,7 +346,6 @@ int TestGuides(int, char*[])
 {
   TestLayers();
   TestReach();
-  TestBadPicks();
   TestSharing();
   TestLeak();
   TestPinchOut();
