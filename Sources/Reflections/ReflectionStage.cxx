@@ -109,10 +109,10 @@ void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
     }
     text << guide.Given.Name << ": " << surface.Column.size() << " points of "
          << (use.IsNegative ? "negative" : "positive") << " reflections, "
-         << (use.Turned > 0 ? "of the other sign where polarity turns, " : "") << counts[0] << " picks, " << counts[1]
-         << " on parts, " << counts[2] << " grown, " << LikelyWrong(surface) << " % likely wrong; " << use.Doubtful
-         << " left out, " << use.Shared << " shared, " << use.Seams << " seams; unused picks: " << use.Unused.size()
-         << " near no reflection, " << use.Strays.size() << " contradicted, " << guide.Outside
+         << (use.Turned > 0 ? "of the other sign where polarity turns, " : "") << counts[0] << " picks ("
+         << use.Strays.size() << " contradicted), " << counts[1] << " on parts, " << counts[2] << " grown, "
+         << LikelyWrong(surface) << " % likely wrong; " << use.Doubtful << " left out, " << use.Shared << " shared, "
+         << use.Seams << " seams; unused picks: " << use.Unused.size() << " near no reflection, " << guide.Outside
          << " outside of the cube\n";
     WarnOfGuide(guide, use, surface.Column.size(), hasGrowth, found);
   }
