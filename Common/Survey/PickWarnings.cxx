@@ -4,10 +4,11 @@
 #include "PickWarnings.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Base/LeastSquares.h"
 #include "Common/Horizon/Lattice.h"
 #include "ShortSteps.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -63,7 +64,7 @@ bool IsOnLine(const std::vector<ColumnConflict>& conflicts, const PlanePoint& at
     }
   }
   const Eigen::Matrix2d spread = squares / count - sum * sum.transpose() / (count * count);
-  const Eigen::Vector2d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues();
+  const Eigen::Vector2d axes = FindPrincipalAxes(spread).Values;
   return count >= fewest && axes[0] <= widest * widest * axes[1];
 }
 

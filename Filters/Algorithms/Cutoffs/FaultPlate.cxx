@@ -4,11 +4,9 @@
 #include "FaultPlate.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Base/LeastSquares.h"
 #include "Common/Horizon/ConvexHull.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -111,10 +109,10 @@ void FaultPlate::Orient(const FaultPicks& picks)
   }
   spread.row(2) *= scale;
   spread.col(2) *= scale;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  const Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  const PrincipalAxes<3> axes = FindPrincipalAxes(spread);
+  const Eigen::Vector3d normal = axes.Axes.col(0);
   constexpr double leastSpread = 1e-12, leastDip = 0.02;
-  if (!(axes.eigenvalues()(1) > leastSpread * axes.eigenvalues()(2)))
+  if (!(axes.Values(1) > leastSpread * axes.Values(2)))
   {
     throw InputError("fault " + this->OwnName + " with picks on one line, expected two sticks, or a surface");
   }
@@ -139,7 +137,7 @@ FaultPlate::Segments FaultPlate::MakeGrid(const FaultPicks& picks)
   Segments segments;
   std::array<double, 2> least = { NoReach, NoReach }, greatest = { -NoReach, -NoReach };
   double rise = 0.0;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> places(2 * std::ptrdiff_t(picks.Segments.size()), 3);
+  Eigen::MatrixX3d places(2 * std::ptrdiff_t(picks.Segments.size()), 3);
   Eigen::VectorXd offsets(places.rows());
   for (const auto& [from, to] : picks.Segments)
   {
@@ -155,7 +153,7 @@ FaultPlate::Segments FaultPlate::MakeGrid(const FaultPicks& picks)
       offsets(row) = place.N;
     }
   }
-  const Eigen::Vector3d plane = places.colPivHouseholderQr().solve(offsets);
+  const Eigen::Vector3d plane = SolveLeastSquares(places, offsets).Unknowns;
   this->Plane = plane.tail<2>();
   this->Origin.head<2>() += plane(0) * this->Across;
   for (std::array<FaultPlace, 2>& segment : segments)

@@ -4,10 +4,8 @@
 #include "FaultSources.h"
 
 #include "Common/Base/Errors.h"
+#include "Common/Base/LeastSquares.h"
 #include "Common/Horizon/Median.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +104,7 @@ SmoothTrace Smooth(const std::vector<TraceCut>& cuts)
     const Eigen::Vector2d off = cut.Place.head<2>() - middle;
     spread += off * off.transpose();
   }
-  const Eigen::Vector2d along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+  const Eigen::Vector2d along = FindPrincipalAxes(spread).Axes.col(1);
   std::vector<std::pair<double, const TraceCut*>> sorted;
   for (const TraceCut& cut : cuts)
   {
@@ -163,7 +161,7 @@ Eigen::Vector2d LeanByHeights(const std::vector<SmoothTrace>& traces)
   {
     size += trace.Places.size();
   }
-  Eigen::Matrix<double, Eigen::Dynamic, 3> rows(std::ptrdiff_t(size), 3);
+  Eigen::MatrixX3d rows(std::ptrdiff_t(size), 3);
   Eigen::VectorXd offsets(rows.rows());
   std::ptrdiff_t row = 0;
   for (const SmoothTrace& trace : traces)
@@ -175,7 +173,7 @@ Eigen::Vector2d LeanByHeights(const std::vector<SmoothTrace>& traces)
       offsets(row++) = local.head<2>().dot(across);
     }
   }
-  return Eigen::Vector3d(rows.colPivHouseholderQr().solve(offsets)).z() * across;
+  return SolveLeastSquares(rows, offsets).Unknowns.z() * across;
 }
 }
 

@@ -7,6 +7,7 @@
 
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
+#include "Common/Base/LeastSquares.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/ConvexHull.h"
@@ -16,7 +17,8 @@
 #include "Common/Survey/SurveyMap.h"
 #include "Filters/Algorithms/HoleFilling/PlateEnergy.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -254,17 +256,17 @@ struct Trend
       spread += off * off.transpose() / count;
       side += off * (picks.Z[n] - mean) / count;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread); // ascending
-    const Eigen::Vector2d deviation = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const PrincipalAxes<2> axes = FindPrincipalAxes(spread);
+    const Eigen::Vector2d deviation = axes.Values.cwiseMax(0.0).cwiseSqrt();
     const double step = std::sqrt(std::abs(steps.determinant()));
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();
     this->Places = picks.Place;
     for (const int n : { 0, 1 })
     {
-      const Eigen::Vector2d axis = axes.eigenvectors().col(n);
+      const Eigen::Vector2d axis = axes.Axes.col(n);
       if (deviation[n] >= std::max(leastSteps * step, leastPart * deviation[1]))
       {
-        slope += axis * (axis.dot(side) / axes.eigenvalues()[n]);
+        slope += axis * (axis.dot(side) / axes.Values[n]);
         continue;
       }
       const auto off = [&](const Eigen::Vector2d& place) { return axis.dot(steps * (place - middle)); };
@@ -546,9 +548,8 @@ private:
     const double most = sites < MultigridSize ? 100.0 : 4.0;
     const Eigen::Matrix2d steps = this->Lattice.Steps();
     const Eigen::Matrix2d squares = steps.transpose() * steps / std::abs(steps.determinant());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares.inverse());
-    return axes.eigenvectors() * axes.eigenvalues().cwiseMax(1.0 / most).cwiseMin(most).asDiagonal() *
-      axes.eigenvectors().transpose();
+    const PrincipalAxes<2> axes = FindPrincipalAxes(Eigen::Matrix2d(squares.inverse()));
+    return axes.Axes * axes.Values.cwiseMax(1.0 / most).cwiseMin(most).asDiagonal() * axes.Axes.transpose();
   }
 
   void AddEnergy(SiteSystem<2>& plate) const

@@ -3,6 +3,7 @@
 
 #include "PinchOuts.h"
 
+#include "Common/Base/LeastSquares.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/KeptPoints.h"
 #include "Common/Horizon/PlaneGeometry.h"
@@ -20,7 +21,7 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace SeismicHorizons
 {
@@ -374,9 +375,8 @@ std::optional<double> PlaneHeight(
     places.row(Eigen::Index(n)) << 1.0, double(column.X - first.X), double(column.Y - first.Y);
     given[Eigen::Index(n)] = heights[std::size_t(points[n])];
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> solver(places);
-  return points.size() < FewestColumns || solver.rank() < 3 ? std::nullopt
-                                                            : std::optional<double>(solver.solve(given)[0]);
+  const LeastSquares plane = SolveLeastSquares(places, given);
+  return points.size() < FewestColumns || plane.Rank < 3 ? std::nullopt : std::optional<double>(plane.Unknowns[0]);
 }
 }
 
