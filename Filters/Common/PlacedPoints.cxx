@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 
 namespace SeismicHorizons
 {
@@ -165,8 +166,8 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, const Horizon& oth
   {
     if (!known.empty() && !found.empty() && ToLower(Trim(known)) != ToLower(Trim(found)))
     {
-      throw InputError(names.Placed + " with " + what + " \"" + found + "\", expected \"" + known + "\" as in " + names.First +
-        ": convert one of them");
+      throw InputError(names.Placed + " with " + what + " \"" + found + "\", expected \"" + known + "\" as in " +
+        names.First + ": convert one of them");
     }
     known = known.empty() ? found : known;
   };
@@ -194,5 +195,20 @@ std::string WarnOfDirections(const Horizon& first, const Horizon& other, const H
     ? ""
     : "z of the file increases " + std::string(*two ? "upwards" : "downwards") + " in " + names.Placed + " and " +
       (*one ? "upwards" : "downwards") + " in " + names.First + "; VerticalDirection sets it if one was misread";
+}
+
+//----------------------------------------------------------------------------------------------------------------------
+std::string WarnOfHeights(const Horizon& first, const Horizon& other, const HorizonNames& names)
+{
+  const std::string unit = WithDomain(ReadSurveyFields(first.FieldData)).VerticalUnit;
+  const std::string unitOfOther = WithDomain(ReadSurveyFields(other.FieldData)).VerticalUnit;
+  if (unit.empty() == unitOfOther.empty())
+  {
+    return WarnOfDirections(first, other, names);
+  }
+  const auto& [without, with] =
+    unit.empty() ? std::tie(names.First, names.Placed) : std::tie(names.Placed, names.First);
+  return "z without a unit in " + without + ", taken as " + unit + unitOfOther + " as in " + with +
+    "; VerticalUnit of its reader sets it";
 }
 }

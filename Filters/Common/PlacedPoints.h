@@ -43,6 +43,9 @@ SurveyDescription JoinSurveys(const SurveyDescription& first, const Horizon& oth
 
 /// Returns a warning if z of the files increases in different directions, which readers often infer from signs.
 std::string WarnOfDirections(const Horizon& first, const Horizon& other, const HorizonNames& names);
+
+/// Returns a warning if only one has a unit of z, or directions differ. Files of faults tell no unit.
+std::string WarnOfHeights(const Horizon& first, const Horizon& other, const HorizonNames& names);
 }
 
 #endif

@@ -110,11 +110,11 @@ CutInputs JoinCutInputs(std::vector<CutInput> horizons, std::optional<std::vecto
   }
   const CutInput& first = inputs.Horizons.front();
   SurveyDescription survey = ReadSurveyFields(first.Points.Horizon.FieldData);
-  const auto join = [&](const Horizon& other, const std::string& name)
+  const auto join = [&](const Horizon& other, const std::string& name, auto&& warn)
   {
     const HorizonNames names = { name, first.Name };
     survey = JoinSurveys(survey, other, names);
-    const std::string doubt = WarnOfDirections(first.Points.Horizon, other, names);
+    const std::string doubt = warn(first.Points.Horizon, other, names);
     if (!doubt.empty())
     {
       inputs.Faults.Warnings.push_back(doubt);
@@ -122,11 +122,11 @@ CutInputs JoinCutInputs(std::vector<CutInput> horizons, std::optional<std::vecto
   };
   for (const CutInput& horizon : inputs.Horizons)
   {
-    join(horizon.Points.Horizon, horizon.Name);
+    join(horizon.Points.Horizon, horizon.Name, WarnOfHeights);
   }
   for (const NamedHorizon& block : inputs.Faults.Data)
   {
-    join(block.Data, "the faults");
+    join(block.Data, "the faults", WarnOfDirections);
   }
   if (const DataArray* const direction = FindNumbers(first.Points.Horizon.FieldData, FieldArray::VerticalDirection))
   {

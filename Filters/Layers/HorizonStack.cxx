@@ -80,7 +80,7 @@ void HorizonStack::PlaceTogether()
   {
     const HorizonNames names = { horizon.Name, frame->Name };
     this->Survey = JoinSurveys(this->Survey, horizon.Points.Horizon, names);
-    this->Doubt = this->Doubt.empty() ? WarnOfDirections(this->Frame, horizon.Points.Horizon, names) : this->Doubt;
+    this->Doubt = this->Doubt.empty() ? WarnOfHeights(this->Frame, horizon.Points.Horizon, names) : this->Doubt;
     horizon.Placed = PlaceOn(this->Together, horizon.Points.Horizon, names);
     for (const PlanePoint& column : horizon.Placed.Columns)
     {

@@ -7,6 +7,7 @@
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
 #include "Common/Horizon/DataModel.h"
+#include "Common/Survey/SurveyFields.h"
 #include "Filters/Algorithms/Boundary/ExteriorBoundary.h"
 #include "Filters/Algorithms/SurfaceDistance/SurfaceDistance.h"
 #include "Filters/Algorithms/Triangulation/Triangulation.h"
@@ -15,6 +16,7 @@
 #include "Filters/Common/HorizonData.h"
 #include "Filters/Common/HorizonPoints.h"
 #include "Filters/Common/LatticePoints.h"
+#include "Filters/Common/PlacedPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -290,6 +292,7 @@ MeasuredPair RunSurfaceDistance(const Horizon& reference, const Horizon& mesh, c
   PrefixErrors("reference", [&]() { CheckArraySizes(reference); });
   PrefixErrors("mesh", [&]() { CheckArraySizes(mesh); });
   MeasuredPair result;
+  JoinSurveys(ReadSurveyFields(reference.FieldData), mesh, { "the mesh", "the reference" }); // Meshes often have no units.
   result.Reference = MeshReference(reference, mesh, options.Radius, monitor.Step(0.0, 0.1));
   result.Mesh = mesh;
   PairDistances measured = MeasureMeshes(result.Reference, mesh, options, monitor.Step(0.1, 0.95));

@@ -29,7 +29,7 @@ struct MeasuredPair
 };
 
 /// A reference without triangles is meshed inside its loops, or inside a boundary with the parameters of the other mesh,
-/// or with the radius and closed holes. Throws InputError if that fails, or a mesh cannot be measured.
+/// or with the radius and closed holes. Throws InputError if that fails, units differ, or a mesh cannot be measured.
 MeasuredPair RunSurfaceDistance(const Horizon& reference, const Horizon& mesh, const std::string& name,
   const DistanceStageOptions& options, const Monitor& monitor);
 }

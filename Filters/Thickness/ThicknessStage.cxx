@@ -162,7 +162,7 @@ std::vector<std::string> RunThickness(
   }
   data.SetActiveScalars(PointArray::Isochore);
   WriteThicknessFigures(found, ReadLattice(output).ColumnArea(), output.FieldData);
-  std::vector<std::string> warnings = { ReportWarnings(found), WarnOfDirections(horizon, other, OfOther) };
+  std::vector<std::string> warnings = { ReportWarnings(found), WarnOfHeights(horizon, other, OfOther) };
   warnings.erase(std::remove(warnings.begin(), warnings.end(), std::string()), warnings.end());
   return warnings;
 }

@@ -281,6 +281,16 @@ class MissingTest(unittest.TestCase):
             with self.assertWarnsRegex(UserWarning, "z of the file increases (up|down)wards in .*VerticalDirection"):
                 run()
 
+    def test_one_unit(self):
+        """Two depths, one of which does not say in what: it may be in feet."""
+        x = np.arange(12.0) * np.ones((10, 1))
+        top = vtk_inputs.horizon(100.0 + x, spacing=(25.0, 25.0), VerticalUnit="m")
+        base = vtk_inputs.horizon(400.0 - x, spacing=(25.0, 25.0))
+        for first, second, name in ((top, base, "the other horizon|Base"), (base, top, "the first one|Top|Base")):
+            for run in (lambda: vtk_inputs.layers({"Top": first, "Base": second}), lambda: vtk_inputs.thickness(first, second)):
+                with self.assertWarnsRegex(UserWarning, "z without a unit in (%s), taken as m as in " % name):
+                    run()
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
