@@ -152,10 +152,10 @@ is_configured() {
     { [ "$without_paraview" = ON ] || grep -q '^SEISMICHORIZONS_METHODS_ONLY:BOOL=OFF$' "$build_folder/CMakeCache.txt"; }
 }
 
-# The Python package takes 430 seconds of one processor, and ParaView's part, which compiles none of it again, 155.
+# The Python package takes 350 seconds of one processor, and ParaView's part, which compiles none of it again, 155.
 say_duration() {
   seconds=0
-  ls "$build_folder"/lib/python3/dist-packages/seismichorizons/_core.*.so >/dev/null 2>&1 || seconds=430
+  ls "$build_folder"/lib/python3/dist-packages/seismichorizons/_core.*.so >/dev/null 2>&1 || seconds=350
   [ "$without_paraview" = ON ] || seconds=$((seconds + 155))
   processors=$(nproc)
   if [ "$with_tests" = ON ]; then
