@@ -33,7 +33,7 @@ def make_parser():
     parser.add_argument("picture", metavar="PICTURE.png", help="the picture to write")
     parser.add_argument("--horizon", type=int, metavar="ID", help="this horizon of the .vsm file (default: the first)")
     parser.add_argument("--array", choices=sorted(PRESETS), default="Distance", help="what the colours show")
-    parser.add_argument("--unit", choices=("Lattice", "World"), default="Lattice", help="the unit of the distances")
+    parser.add_argument("--unit", choices=("Steps", "World"), default="Steps", help="the unit of the distances")
     parser.add_argument("--largest", type=float, metavar="D",
                         help="the distance of the last colour (default: the largest 99th percentile of all panels, "
                         "rounded up)")
@@ -140,7 +140,7 @@ def color(display, view, options, largest):
     display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(colors, view)
     bar.Title = "Distance," if options.array == "Distance" else "Vertical distance,"
-    bar.ComponentTitle = "lattice units" if options.unit == "Lattice" else "world units"
+    bar.ComponentTitle = "lattice units" if options.unit == "Steps" else "world units"
     bar.TitleColor = bar.LabelColor = TEXT
     bar.TitleFontSize, bar.LabelFontSize = 16, 15
     bar.Orientation = "Horizontal"

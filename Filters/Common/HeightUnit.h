@@ -17,7 +17,7 @@ namespace SeismicHorizons
 {
 enum class HeightUnit
 {
-  Lattice = 0, // vertical index
+  Steps = 0, // of the vertical index
   World = 1, // z
   Diagonal = 2 // diagonal of the bounding box of all points, in lattice units
 };

@@ -25,7 +25,7 @@ struct CutoffStageOptions
   double LargestGap = 20.0; // columns
   double SmallestLength = 5.0; // columns
   std::optional<double> MaximumError; // Without a value six times the noise of each horizon.
-  HeightUnit ErrorUnit = HeightUnit::Lattice;
+  HeightUnit ErrorUnit = HeightUnit::Steps;
 };
 
 /// A horizon and its cutoffs at each fault, which may be none.

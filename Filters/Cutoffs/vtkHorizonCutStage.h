@@ -68,9 +68,9 @@ public:
   vtkHorizonNumberMacro(MaximumError, double);
 
   /**
-   * Unit of MaximumError. Lattice: vertical index. World: unit of z. Default: Lattice.
+   * Unit of MaximumError. Steps: vertical index. World: unit of z. Default: Steps.
    */
-  vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Lattice, World);
+  vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Steps, World);
 
   /**
    * What the last update found.
@@ -101,7 +101,7 @@ private:
   double DropDistance = 0.5;
   double DropNoise = 4.0;
   double MaximumError = -1.0;
-  int HeightUnit = Lattice;
+  int HeightUnit = Steps;
 };
 
 #endif

@@ -21,7 +21,7 @@ namespace SeismicHorizons
 struct ReducedMeshOptions : DecimationQuality
 {
   std::optional<double> MaximumError; // Without a value six times the noise of the heights.
-  HeightUnit ErrorUnit = HeightUnit::Lattice;
+  HeightUnit ErrorUnit = HeightUnit::Steps;
   bool CloseFaults = false;
 };
 

@@ -35,10 +35,10 @@ public:
   vtkHorizonNumberMacro(MaximumError, double);
 
   /**
-   * Unit of MaximumError. Lattice: vertical index (voxel). World: unit of z. Diagonal: bounding-box diagonal in
-   * lattice units. Default: Lattice.
+   * Unit of MaximumError. Steps: vertical index (voxel). World: unit of z. Diagonal: bounding-box diagonal in
+   * lattice units. Default: Steps.
    */
-  vtkHorizonChoice3Macro(ErrorUnit, ErrorUnits, Lattice, World, Diagonal);
+  vtkHorizonChoice3Macro(ErrorUnit, ErrorUnits, Steps, World, Diagonal);
 
   /**
    * Fit heights of inner vertices to nearby points, for fewer vertices. Off: vertices are points of the horizon, with
@@ -114,7 +114,7 @@ private:
   void operator=(const vtkHorizonReducedMesh&) = delete;
 
   double MaximumError = -1.0;
-  int ErrorUnit = Lattice;
+  int ErrorUnit = Steps;
   bool FitHeights = true;
   int Effort = Best;
   int Priority = SumOfSquares;

@@ -16,7 +16,7 @@ namespace SeismicHorizons
 {
 struct DespikingStageOptions : DespikingOptions
 {
-  HeightUnit ThresholdUnit = HeightUnit::Lattice;
+  HeightUnit ThresholdUnit = HeightUnit::Steps;
   bool Remove = true; // Otherwise the array Spike marks points.
 };
 

@@ -51,9 +51,9 @@ public:
   vtkHorizonNumberMacro(Threshold, double);
 
   /**
-   * Unit of Threshold. Lattice: vertical index (voxel). World: unit of z. Default: Lattice.
+   * Unit of Threshold. Steps: vertical index (voxel). World: unit of z. Default: Steps.
    */
-  vtkHorizonChoice2Macro(ThresholdUnit, ThresholdUnits, Lattice, World);
+  vtkHorizonChoice2Macro(ThresholdUnit, ThresholdUnits, Steps, World);
 
   /**
    * Reach of the neighbourhood along each axis; 2: 5 by 5 columns. Unit: columns. Range: 1 to 16. Default: 2.
@@ -85,7 +85,7 @@ private:
 
   int Action = Remove;
   double Threshold = 0.0;
-  int ThresholdUnit = Lattice;
+  int ThresholdUnit = Steps;
   int NeighborhoodRadius = 2;
   int SpurWidth = 0;
   vtkIdType NumberOfSpikes = 0;

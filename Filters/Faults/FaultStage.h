@@ -26,7 +26,7 @@ enum class PolygonUse
 struct FaultStageOptions : FaultDetectionOptions
 {
   bool Detect = true;
-  HeightUnit ThrowUnit = HeightUnit::Lattice; // of the throw and the noise
+  HeightUnit ThrowUnit = HeightUnit::Steps; // of the throw and the noise
   bool AreSticks = false; // Given lines are sticks of faults, and not their traces.
   bool ExtendSticks = false;
   PolygonUse Polygons = PolygonUse::Blank;

@@ -91,9 +91,9 @@ public:
   vtkHorizonNumberMacro(Noise, double);
 
   /**
-   * Unit of SmallestThrow and Noise. Lattice: vertical index (voxel). World: unit of z. Default: Lattice.
+   * Unit of SmallestThrow and Noise. Steps: vertical index (voxel). World: unit of z. Default: Steps.
    */
-  vtkHorizonChoice2Macro(ThrowUnit, ThrowUnits, Lattice, World);
+  vtkHorizonChoice2Macro(ThrowUnit, ThrowUnits, Steps, World);
 
   /**
    * Smallest extent of a fault along i or j. Unit: columns. Range: at least 0. Default: 20.
@@ -169,7 +169,7 @@ private:
   bool Detect = true;
   double SmallestThrow = 0.0;
   double Noise = 0.0;
-  int ThrowUnit = Lattice;
+  int ThrowUnit = Steps;
   int SmallestExtent = 20;
   int SmallestBranch = 10;
   int LargestGap = 5;

@@ -21,7 +21,7 @@ struct StackStageOptions
   CrossingPolicy Crossings = CrossingPolicy::Mean;
   std::string CrossingsByLayer; // words for each layer, or empty
   double MinimumThickness = 0.0;
-  HeightUnit Unit = HeightUnit::Lattice; // of heights in the options
+  HeightUnit Unit = HeightUnit::Steps; // of heights in the options
 };
 
 struct CrossingStageResult

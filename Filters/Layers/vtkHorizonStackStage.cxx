@@ -55,7 +55,7 @@ StackStageOptions vtkHorizonStackStage::MakeStackOptions() const
   options.Crossings = static_cast<CrossingPolicy>(this->Crossings);
   options.CrossingsByLayer = this->CrossingsByLayer ? this->CrossingsByLayer : "";
   options.MinimumThickness = this->MinimumThickness;
-  options.Unit = this->HeightUnit == World ? SeismicHorizons::HeightUnit::World : SeismicHorizons::HeightUnit::Lattice;
+  options.Unit = this->HeightUnit == World ? SeismicHorizons::HeightUnit::World : SeismicHorizons::HeightUnit::Steps;
   return options;
 }
 

@@ -59,10 +59,10 @@ public:
   vtkHorizonNumberMacro(MinimumThickness, double);
 
   /**
-   * Unit of MinimumThickness, and of MaximumError in vtkHorizonLayers. Lattice: smallest vertical index of all
-   * horizons. World: unit of z. Default: Lattice.
+   * Unit of MinimumThickness, and of MaximumError in vtkHorizonLayers. Steps: smallest vertical index of all
+   * horizons. World: unit of z. Default: Steps.
    */
-  vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Lattice, World);
+  vtkHorizonChoice2Macro(HeightUnit, HeightUnits, Steps, World);
 
 protected:
   vtkHorizonStackStage() = default;
@@ -85,7 +85,7 @@ private:
   int Crossings = Mean;
   char* CrossingsByLayer = nullptr;
   double MinimumThickness = 0.0;
-  int HeightUnit = Lattice;
+  int HeightUnit = Steps;
 };
 
 #endif

@@ -20,7 +20,7 @@ constexpr std::array<const char*, Directions> DirectionNames = { "Reference to m
 
 // Field data tuples and table rows have this order of units.
 constexpr std::size_t WorldUnit = 1;
-constexpr std::array<const char*, 3> UnitNames = { "Lattice", "World", "Diagonal" };
+constexpr std::array<const char*, 3> UnitNames = { "Steps", "World", "Diagonal" };
 
 struct FiguresOfPair
 {

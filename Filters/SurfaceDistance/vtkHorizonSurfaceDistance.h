@@ -82,10 +82,10 @@ public:
   ///@}
 
   /**
-   * Unit of the arrays Distance and VerticalDistance; figures have both. Lattice: columns and vertical indices. World:
-   * unit of coordinates. Default: Lattice.
+   * Unit of the arrays Distance and VerticalDistance; figures have both. Steps: columns and vertical indices. World:
+   * unit of coordinates. Default: Steps.
    */
-  vtkHorizonChoice2Macro(DistanceUnit, DistanceUnits, Lattice, World);
+  vtkHorizonChoice2Macro(DistanceUnit, DistanceUnits, Steps, World);
 
   /**
    * Samples on each surface per point of the larger one, at least 10,000. More make means and percentiles more exact.
@@ -133,7 +133,7 @@ private:
 
   void MeasurePair(const SeismicHorizons::HorizonPair& pair, const SeismicHorizons::Monitor& monitor) const;
 
-  int DistanceUnit = Lattice;
+  int DistanceUnit = Steps;
   double SamplesPerPoint = 2.0;
   int Seed = 1;
   int Radius = 1;

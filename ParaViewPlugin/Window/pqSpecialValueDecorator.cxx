@@ -104,7 +104,7 @@ QString pqSpecialValueDecorator::convert(double height) const
   const double other = chosen == 1 ? height / axis.Step : height * axis.Step;
   const QString number =
     QString::number(other, std::fabs(other) < 1000.0 ? 'g' : 'f', std::fabs(other) < 1000.0 ? 3 : 0);
-  return "= " + number + " " + (chosen == 1 ? QString("indices") : QString::fromStdString(axis.Unit));
+  return "= " + number + " " + (chosen == 1 ? QString("steps") : QString::fromStdString(axis.Unit));
 }
 
 //------------------------------------------------------------------------------

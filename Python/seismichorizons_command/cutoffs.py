@@ -27,7 +27,7 @@ def write(points, settings, label, names, folder):
 def write_sealed(points, settings, label, names, folder):
     """Writes the sealed model of horizons, given by name, and its tables, and returns lines to print and warnings. Raises
     HorizonError."""
-    own = {"HeightUnit": "Lattice", "Endings": "", "Unconformities": "", **settings.in_unit_of(next(iter(points.values()))).sealed}
+    own = {"HeightUnit": "Steps", "Endings": "", "Unconformities": "", **settings.in_unit_of(next(iter(points.values()))).sealed}
     options = {**core.options(own), "endings": own["Endings"], "unconformities": own["Unconformities"]}
     with core.errors("%s: " % label):
         made, warnings = core.run(_core.sealed, list(points.items()), _faults(settings), options, label="%s: sealed model" % label)

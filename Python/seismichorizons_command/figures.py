@@ -27,7 +27,7 @@ VERTICAL = {"LargestError": "largest", "MeanError": "mean", "LargestEdgeError": 
             "LargestLoopError": "outlines"}
 STATED = {"VerticalUnit": "vertical_unit", "VerticalDomain": "vertical_domain", "HorizontalUnit": "horizontal_unit",
           "CoordinateSystem": "coordinate_system"}
-UNITS = ("Lattice", "World")
+UNITS = ("Steps", "World")
 
 
 def versions():

@@ -8,7 +8,7 @@ from .arguments import HEIGHT_UNITS, AddToList, Assignments, Height, line_number
 
 Z_SOURCES, VERTICAL_DIRECTIONS = ("VerticalIndex", "RealZ"), ("Down", "Up")
 REPRESENTATIVES, GROWTH_STRATEGIES = ("Barycentre", "NearestPoint"), ("Distance", "Clockwise")
-DISTANCE_UNITS = ("Lattice", "World")
+DISTANCE_UNITS = ("Steps", "World")
 LAYER_FORMATS = ("msh", "inp", "disv")
 FORMATS = ("vtp", "ts", "stl", "ply", "obj", "dxf", "irap", "gri", "zmap", "cps3", "grd", "asc", "tif", "dat", "vsm", *LAYER_FORMATS)
 FAULT_FORMATS = ("dat", "csv", "pl", "gpkg")

@@ -145,7 +145,7 @@ class Result:
         self.simplified = None  # the same after simplification
         self.seconds = {}
         self.figures = None
-        self.unit = "Lattice"
+        self.unit = "Steps"
         self.height_unit = ""  # unit of reported errors; vertical indices if empty
         self.per_index = 1.0  # size of a vertical index in this unit
         self.warnings = []

@@ -158,7 +158,7 @@ def _survey(survey):
     lattice, lines = survey.get("lattice"), survey.get("line_numbers")
     pairs = [("Lattice", lattice and "{:,} \u00d7 {:,} columns, {:,} vertical indices".format(*lattice["columns"])),
              ("Origin", lattice and "(%.10g, %.10g, %.10g)" % tuple(lattice["origin"])),
-             ("Steps", lattice and "(%.7g, %.7g) from column to column, (%.7g, %.7g) from row to row, %.7g from index to "
+             ("Lattice", lattice and "(%.7g, %.7g) from column to column, (%.7g, %.7g) from row to row, %.7g from index to "
               "index" % (*lattice["column_step"], *lattice["row_step"], lattice["vertical_step"])),
              ("Lines", lines and "inlines from %(first_inline)g in steps of %(inline_step)g, crosslines from "
               "%(first_crossline)g in steps of %(crossline_step)g" % lines),

@@ -34,7 +34,7 @@ def given(options, *same, **renamed):
 
 
 def _unit(height):
-    return "World" if height.unit else "Lattice"
+    return "World" if height.unit else "Steps"
 
 
 def _reader(options):

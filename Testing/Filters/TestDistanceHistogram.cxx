@@ -57,7 +57,7 @@ void TestSlope()
     const double share = table->GetValueByName(row, "Area (%)").ToDouble();
     CHECK(row == 30 ? IsNear(share, 1.0, 0.05) : IsNear(share, 3.3, 0.1));
     CHECK(IsNear(table->GetValueByName(row, "bin_extents").ToDouble(), 0.099 * double(row), 0.01));
-    CHECK_EQUAL(table->GetValueByName(row, "Unit").ToString(), std::string("Lattice"));
+    CHECK_EQUAL(table->GetValueByName(row, "Unit").ToString(), std::string("Steps"));
     sum += share;
   }
   CHECK(IsNear(sum, 100.0, 1e-9));

@@ -272,7 +272,7 @@ void TestPrint()
   vtkNew<vtkHorizonDecimation> mesh;
   std::ostringstream text;
   mesh->Print(text);
-  for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Lattice",
+  for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Steps",
          "MaximumNumberOfPoints: 10000", "TargetReduction: 0.95", "FitHeights: on", "Effort: Best",
          "Priority: SumOfSquares", "SmallestAngle: 2", "InvalidHorizons: Stop" })
   {

@@ -374,7 +374,7 @@ void TestPrint()
   vtkNew<vtkHorizonSurface> surface;
   std::ostringstream text;
   surface->Print(text);
-  for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Lattice",
+  for (const char* const line : { "Target: LargestError", "MaximumError: -1", "ErrorUnit: Steps",
          "MaximumNumberOfTriangles: 20000", "AutomaticRadius: on", "Radius: 1", "GrowthStrategy: Clockwise",
          "KeepHoles: on", "AutomaticSmallestHoleSize: on", "SmallestHoleSize: 1", "MinimumPatchSize: 1",
          "AutomaticOutlineTolerance: on", "OutlineTolerance: 0", "AutomaticDistanceThreshold: on",

@@ -231,7 +231,7 @@ def see_stages(events, line):
     text = window.FIELDS + "ProxyPanel/Threshold/DoubleRangeWidget/DoubleLineEdit/SpecialValue"
     events.check(text, "text", "= 2.5 ms")
     events.add(window.FIELDS + "ProxyPanel/ThresholdUnit/ComboBox", "set_string", "World")
-    events.check(text, "text", "= 2.5 indices")
+    events.check(text, "text", "= 2.5 steps")
     events.add(window.PANEL + "/Delete", "activate")
     for stage in ("HorizonExteriorBoundary", "HorizonBoundarySimplification", "HorizonRoughSimplification",
                   "HorizonTriangulation"):

@@ -183,7 +183,7 @@ class BatchTest(unittest.TestCase):
         with open(self.output / "blobs_error.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 2 * 9)
-        both = next(row for row in rows if row["Direction"] == "Two-sided" and row["Unit"] == "Lattice")
+        both = next(row for row in rows if row["Direction"] == "Two-sided" and row["Unit"] == "Steps")
         printed = printed_row(done, "1")
         self.assertEqual(printed[9:11], ["%.3f" % float(both[n]) for n in ("LargestDistance", "MeanDistance")])
         self.assertGreater(float(both["LargestDistance"]), float(both["MeanDistance"]))

@@ -134,7 +134,7 @@ class BoundTest(unittest.TestCase):
                 horizon = run(faults, horizon)
             error, outline, height = random_tolerances(random)
             surface = sh.vtkHorizonSurface()
-            surface.SetErrorUnitToLattice()
+            surface.SetErrorUnitToSteps()
             surface.SetMaximumError(error)
             surface.SetEffort(int(random.integers(2)))
             surface.SetFitHeights(bool(random.integers(2)))
@@ -187,7 +187,7 @@ class BoundTest(unittest.TestCase):
             simplification.BoundDeviationOn()
             outlines = run(simplification, boundary)
             decimation = sh.vtkHorizonDecimation()
-            decimation.SetErrorUnitToLattice()
+            decimation.SetErrorUnitToSteps()
             decimation.SetMaximumError(error)
             self.check(seed, horizon, run(decimation, outlines), error, outline, height, in_stages=True)
 
@@ -231,7 +231,7 @@ class BoundTest(unittest.TestCase):
             horizon = make_horizon(rows[:, :2].astype(int), rows[:, 2], False)
             for error in (0.75, 3.0) if len(rows) < 100_000 else (3.0,):
                 surface = sh.vtkHorizonSurface()
-                surface.SetErrorUnitToLattice()
+                surface.SetErrorUnitToSteps()
                 surface.SetMaximumError(error)
                 self.check(path.name, horizon, run(surface, horizon), error, error)
 

@@ -276,7 +276,7 @@ class EvenTest(unittest.TestCase):
             horizon = bound_test.make_horizon(rows[:, :2].astype(int), rows[:, 2], False)
             for error, length, growth in ((3.0, 12.0, 0.0), (6.0, 30.0, 0.3), (3.0, 4.0, 0.0)):
                 surface = sh.vtkHorizonSurface()
-                surface.SetErrorUnitToLattice()
+                surface.SetErrorUnitToSteps()
                 surface.SetMaximumError(error)
                 surface.SetEdgeLength(length)
                 surface.SetEdgeGrowth(growth)

@@ -356,7 +356,7 @@ class FirstSightTest(unittest.TestCase):
         path.write_text("%d %d 60\n%s" % (SIDE, SIDE, points))
         spiked = simple.VerneySparseMatrixReader(FileName=str(path))
         flat = simple.HorizonDespiking(Input=spiked, Threshold=5)
-        for unit, component in (("Lattice", 0), ("World", 1)):
+        for unit, component in (("Steps", 0), ("World", 1)):
             distance = simple.HorizonSurfaceDistance(Reference=spiked, Mesh=simple.HorizonSurface(Input=flat),
                                                      DistanceUnit=unit)
             display = self.show(distance, 0)

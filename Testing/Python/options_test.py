@@ -153,8 +153,8 @@ class OptionsTest(unittest.TestCase):
                                    ("ft", "m", 0.3048), ("m", "ft", 1.0 / 0.3048)):
             settings = self.settings(*(word % unit if "%" in word else word for word in heights))
             stages = {name: given for name, _, given in settings.in_unit_of(horizon_in(known)).stages()}
-            found = (stages["despiked"]["ThresholdUnit"], stages["torn"]["ThrowUnit"], stages["mesh"].get("ErrorUnit", "Lattice"))
-            self.assertEqual(found, ("World" if unit else "Lattice",) * 3)
+            found = (stages["despiked"]["ThresholdUnit"], stages["torn"]["ThrowUnit"], stages["mesh"].get("ErrorUnit", "Steps"))
+            self.assertEqual(found, ("World" if unit else "Steps",) * 3)
             self.assertEqual(settings.in_unit(known).surface["MaximumError"], 2.0 * scale)
             self.assertEqual(stages["torn"]["SmallestThrow"], 30.0 * scale)
             self.assertEqual((stages["despiked"]["Threshold"], stages["mesh"]["MaximumError"]), (0.0, 2.0 * scale))
