@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace SeismicHorizons
@@ -46,7 +47,7 @@ Sums AddUpChunks(std::int64_t size, std::int64_t chunkSize, const Monitor& monit
     {
       Sums part;
       work(part, first, last);
-      parts[chunk] = part;
+      parts[chunk] = std::move(part);
     });
   Sums all;
   for (const Sums& part : parts)

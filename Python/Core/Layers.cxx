@@ -19,7 +19,7 @@ void TakeStackOptions(const nb::dict& chosen, StackStageOptions& options)
   TakeChoice(chosen, "crossings", { "mean", "upper_wins", "lower_wins", "stop" }, options.Crossings);
   Take(chosen, "crossings_by_layer", options.CrossingsByLayer);
   Take(chosen, "minimum_thickness", options.MinimumThickness);
-  TakeChoice(chosen, "height_unit", { "lattice", "world" }, options.Unit);
+  TakeChoice(chosen, "height_unit", { "steps", "world" }, options.Unit);
 }
 
 HorizonStack MakeStack(const std::vector<NamedHorizon>& horizons, const StackStageOptions& options)

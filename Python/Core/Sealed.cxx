@@ -19,7 +19,7 @@ nb::tuple MakeSealedModel(
 {
   SealedStageOptions options;
   options.Cutoffs.ErrorUnit = HeightUnit::World;
-  TakeChoice(chosen, "height_unit", { "lattice", "world" }, options.Cutoffs.ErrorUnit);
+  TakeChoice(chosen, "height_unit", { "steps", "world" }, options.Cutoffs.ErrorUnit);
   Take(chosen, "endings", options.Endings);
   Take(chosen, "end_distance", options.EndDistance);
   Take(chosen, "unconformities", options.Unconformities);

@@ -26,7 +26,7 @@ namespace SeismicHorizons
 {
 namespace
 {
-const std::vector<std::string> HeightUnits = { "lattice", "world", "diagonal" };
+const std::vector<std::string> HeightUnits = { "steps", "world", "diagonal" };
 const std::vector<std::string> Growths = { "distance", "clockwise" };
 
 using Warnings = std::vector<std::string>;

@@ -365,7 +365,7 @@ def distance(reference: Any, mesh: Any, *, samples_per_point: float = 2.0, seed:
         first, second, _ = _core.distance(data, other, options, progress)
     except ValueError as error:
         raise ValueError(in_keywords(str(error))) from None
-    world = 1  # of the units lattice, world, diagonal
+    world = 1  # of the units steps, world, diagonal
     details = {snake(name): values[:, world] for name, values in second["field_data"].items()
                if not isinstance(values, list) and values.ndim == 2 and values.shape == (3, 3)}
     both = 2

@@ -27,7 +27,7 @@ VERTICAL = {"LargestError": "largest", "MeanError": "mean", "LargestEdgeError": 
             "LargestLoopError": "outlines"}
 STATED = {"VerticalUnit": "vertical_unit", "VerticalDomain": "vertical_domain", "HorizontalUnit": "horizontal_unit",
           "CoordinateSystem": "coordinate_system"}
-UNITS = ("Steps", "World")
+UNITS = {"lattice": "Steps", "world": "World"}  # by name in the figures of a run
 
 
 def versions():
@@ -103,8 +103,8 @@ def horizon(result):
         "automatic_error": {"noise": noise.get("noise"), "rounding": noise.get("rounding")},
         "points_outside": value(mesh, "NumberOfOutsidePoints"),
         "ledger": ledger.read(mesh),
-        "error": None if result.figures is None else {unit.lower(): _errors(result.figures, row, unit)
-                                                      for row, unit in enumerate(UNITS)},
+        "error": None if result.figures is None else {name: _errors(result.figures, row, unit)
+                                                      for row, (name, unit) in enumerate(UNITS.items())},
         "distances": distances(result),
         "results": [], "warnings": list(result.warnings)}
 
@@ -174,7 +174,7 @@ def distances(result):
         return None
     farthest = float(found.max())
     counts = np.histogram(found, bins=BINS, range=(0.0, farthest or 1.0))[0]
-    return {"unit": result.unit.lower(), "farthest": farthest, "counts": counts.tolist()}
+    return {"unit": next(name for name, unit in UNITS.items() if unit == result.unit), "farthest": farthest, "counts": counts.tolist()}
 
 
 def _errors(table, row, unit):

@@ -16,6 +16,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Base/Parallel.h"
 #include "Common/Base/Parameters.h"
+#include "Common/Base/SideBySide.h"
 #include "Common/Horizon/DataModel.h"
 #include "GuideBands.h"
 #include "GuidedExtraction.h"
@@ -121,8 +122,8 @@ struct SurfaceSize
 };
 
 /// Columns count their strongest pick.
-void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces, int sign, std::int64_t smallestSize,
-  std::vector<SurfaceSize>& sizes)
+std::vector<SurfaceSize> ListSizes(
+  const ReflectionPicks& picks, const RawVector<PointId>& surfaces, int sign, std::int64_t smallestSize)
 {
   struct Extent
   {
@@ -149,6 +150,7 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
       extent.LastStrength = isNew ? more : extent.LastStrength + more;
       extent.LastColumn = column;
     });
+  std::vector<SurfaceSize> sizes;
   for (const PointId surface : surfaces)
   {
     if (surface != NoPoint && extents[surface].Columns >= smallestSize)
@@ -157,6 +159,23 @@ void ListSizes(const ReflectionPicks& picks, const RawVector<PointId>& surfaces,
       extents[surface].Columns = 0; // listed
     }
   }
+  return sizes;
+}
+
+std::vector<SurfaceSize> ListSizesOfBoth(
+  const CubeReflections& picks, const std::array<RawVector<PointId>, 2>& surfaces, std::int64_t smallestSize)
+{
+  std::array<std::vector<SurfaceSize>, 2> sizes;
+  ParallelFor(2, 1,
+    [&](std::int64_t first, std::int64_t last)
+    {
+      for (int sign = int(first); sign < int(last); ++sign)
+      {
+        sizes[sign] = ListSizes(picks.BySign[sign], surfaces[sign], sign, smallestSize);
+      }
+    });
+  sizes[0].insert(sizes[0].end(), sizes[1].begin(), sizes[1].end());
+  return sizes[0];
 }
 
 void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes)
@@ -177,10 +196,14 @@ void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, Ra
       positions[sizes[n].Surface] = first + PointId(n);
     }
   }
-  for (PointId& surface : surfaces)
-  {
-    surface = surface == NoPoint ? NoPoint : positions[surface];
-  }
+  ParallelFor(std::int64_t(surfaces.size()), Grain,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t pick = begin; pick < end; ++pick)
+      {
+        surfaces[pick] = surfaces[pick] == NoPoint ? NoPoint : positions[surfaces[pick]];
+      }
+    });
 }
 
 /// Where picks come out. Guides may share picks.
@@ -432,32 +455,41 @@ std::shared_ptr<JoinedReflections> StartFrom(std::shared_ptr<JoinedReflections> 
   return joined;
 }
 
+/// Signs are joined side by side, as the last links of each are tried on one thread.
+void JoinSigns(const TraceCube& cube, const std::array<bool, 2>& areWanted, const ExtractionOptions& options,
+  JoinedReflections& joined, const Monitor& monitor)
+{
+  RunSideBySide(2, 2, monitor,
+    [&](std::int64_t sign, const Monitor& step)
+    {
+      if (areWanted[sign] && !joined.Surfaces[sign])
+      {
+        joined.Surfaces[sign] =
+          JoinSurfaces(cube, joined.Picks.BySign[sign], options, joined.Figures, joined.MedianCorrelations[sign], step);
+      }
+    });
+}
+
 /// Returns the automatic surfaces, without picks that guides took.
-RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, const ExtractionOptions& options,
-  GuidedExtraction& guided, bool isKept, JoinedReflections& joined, const Monitor& monitor)
+RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, GuidedExtraction& guided, bool isKept,
+  JoinedReflections& joined, const Monitor& monitor)
 {
   const ReflectionPicks& picks = joined.Picks.BySign[sign];
-  const bool hasGuides = guided.HasAny(sign);
   std::optional<RawVector<PointId>>& automatic = joined.Surfaces[sign];
-  if (!automatic)
-  {
-    automatic = JoinSurfaces(
-      cube, picks, options, joined.Figures, joined.MedianCorrelations[sign], monitor.Step(0.0, hasGuides ? 0.7 : 1.0));
-  }
   RawVector<PointId> surfaces = isKept ? *automatic : std::move(*automatic);
-  if (hasGuides)
+  if (guided.HasAny(sign))
   {
     std::optional<GrowthLinks>& links = joined.Links[sign];
     if (!links)
     {
-      links = guided.FindLinks(cube, picks, monitor.Step(0.7, 0.9));
+      links = guided.FindLinks(cube, picks, monitor.Step(0.0, 0.7));
     }
     std::optional<SurfaceMembers>& members = joined.Members[sign];
     if (!members)
     {
       members.emplace(picks, surfaces);
     }
-    guided.Follow(cube, sign, picks, *members, *links, surfaces, joined.Followed[sign], monitor.Step(0.9, 1.0));
+    guided.Follow(cube, sign, picks, *members, *links, surfaces, joined.Followed[sign], monitor.Step(0.7, 1.0));
   }
   return surfaces;
 }
@@ -689,25 +721,25 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   result.SmallestSize = ChooseSmallestSize(options, cube.Size);
   const bool hasOthers = !isGuided || options.Guidance.KeepOthers;
   std::array<RawVector<PointId>, 2> surfaces;
-  std::vector<SurfaceSize> sizes;
   GuidedExtraction guided(guides, joined->Picks, cube.Size[2], options, result);
+  const std::array<bool, 2> areWanted = { hasOthers || guided.HasAny(0), hasOthers || guided.HasAny(1) };
+  JoinSigns(cube, areWanted, options, *joined, monitor.Step(0.3, isGuided ? 0.7 : 0.9));
   for (const int sign : { 0, 1 })
   {
     surfaces[sign].assign(joined->Picks.BySign[sign].Size(), NoPoint);
-    if (hasOthers || guided.HasAny(sign))
+    if (areWanted[sign])
     {
       surfaces[sign] =
-        TakeSurfaces(cube, sign, options, guided, isKept, *joined, monitor.Step(0.3 + 0.3 * sign, 0.6 + 0.3 * sign));
+        TakeSurfaces(cube, sign, guided, isKept, *joined, monitor.Step(0.7 + 0.1 * sign, 0.8 + 0.1 * sign));
       result.MedianCorrelation = std::max(result.MedianCorrelation, joined->MedianCorrelations[sign]);
     }
-    if (hasOthers)
-    {
-      ListSizes(joined->Picks.BySign[sign], surfaces[sign], sign, result.SmallestSize, sizes);
-    }
-    if (!isKept)
-    {
-      joined->Free(sign);
-    }
+  }
+  std::vector<SurfaceSize> sizes =
+    hasOthers ? ListSizesOfBoth(joined->Picks, surfaces, result.SmallestSize) : std::vector<SurfaceSize>();
+  if (!isKept)
+  {
+    joined->Free(0);
+    joined->Free(1);
   }
   result.NumberOfSurfaces = std::int64_t(sizes.size());
   TakeFirst(options, sizes);

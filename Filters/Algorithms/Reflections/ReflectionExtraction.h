@@ -80,7 +80,7 @@ void CheckOptions(const ExtractionOptions& options);
 struct JoinedReflections;
 
 /// With guides, all percentiles count. Throws InputError on options out of range, and on guides that do not fit.
-/// Takes about 30 bytes per pick beside the result, 100 with guides. These leave what does not depend on them in `kept`,
+/// Takes about 60 bytes per pick beside the result, 100 with guides. These leave what does not depend on them in `kept`,
 /// about 80 bytes per pick, from which the next extraction starts, unless only bands around guides were searched. It must
 /// have the same cube and limits.
 Extraction ExtractReflections(const TraceCube& cube, const ExtractionOptions& options = ExtractionOptions(),

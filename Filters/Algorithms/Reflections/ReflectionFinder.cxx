@@ -301,9 +301,14 @@ void CheckSize(const std::array<int, 3>& size)
   }
 }
 
-bool IsWanted(const Found& found, bool isNegative, float threshold)
+int SignOf(const Found& found)
 {
-  return std::signbit(found.Strength) == isNegative && std::abs(found.Strength) >= threshold;
+  return std::signbit(found.Strength) ? 1 : 0;
+}
+
+bool IsWanted(const Found& found, float threshold)
+{
+  return std::abs(found.Strength) >= threshold;
 }
 
 void AddEnergy(const Found& found, std::vector<double>& energies)
@@ -375,12 +380,7 @@ public:
     {
       throw InputError("no amplitude: all samples of the cube are blanked or not finite, expected numbers");
     }
-    std::vector<double> energies;
-    for (const int sign : { 0, 1 })
-    {
-      this->CountPicks(result.BySign[sign], sign == 1, result.Threshold, energies);
-    }
-    result.Period = FindPeriod(energies);
+    result.Period = FindPeriod(this->CountPicks(result));
     this->Gather(result);
     return result;
   }
@@ -497,36 +497,59 @@ private:
     return end - begin;
   }
 
-  void CountPicks(ReflectionPicks& picks, bool isNegative, float threshold, std::vector<double>& energies) const
+  /// Returns energies by thickness.
+  std::vector<double> CountPicks(CubeReflections& result) const
   {
-    std::int64_t total = 0;
-    std::size_t column = 0;
-    for (const RowReflections& row : this->Rows)
-    {
-      std::int32_t next = 0;
-      for (const std::int32_t end : row.Ends)
+    std::vector<std::vector<double>> energies(this->Rows.size());
+    ParallelFor(std::int64_t(this->Rows.size()), this->Grain(),
+      [&](std::int64_t first, std::int64_t last)
       {
-        picks.Starts[column++] = PointId(total);
-        for (; next < end; ++next)
+        for (std::int64_t j = first; j < last; ++j)
         {
-          const Found& found = row.All[next];
-          if (IsWanted(found, isNegative, threshold))
-          {
-            ++total;
-            AddEnergy(found, energies);
-          }
+          this->CountRow(this->Rows[j], result.BySign[0].ColumnAt(0, int(j)), result, energies[j]);
+        }
+      });
+    for (ReflectionPicks& picks : result.BySign)
+    {
+      std::int64_t total = 0;
+      for (PointId& start : picks.Starts)
+      {
+        total += std::exchange(start, PointId(total));
+        if (total > MostPicks)
+        {
+          throw InputError(
+            "more than 2^30 reflections of one sign, expected fewer: a higher threshold, or a part of the cube");
         }
       }
-      if (total > MostPicks)
-      {
-        throw InputError(
-          "more than 2^30 reflections of one sign, expected fewer: a higher threshold, or a part of the cube");
-      }
+      picks.Places.resize(total);
+      picks.Strengths.resize(total);
     }
-    picks.Starts[column] = PointId(total);
-    assert(column + 1 == picks.Starts.size());
-    picks.Places.resize(total);
-    picks.Strengths.resize(total);
+    std::vector<double> all;
+    for (const std::vector<double>& row : energies)
+    {
+      all.resize(std::max(all.size(), row.size()), 0.0);
+      std::transform(row.begin(), row.end(), all.begin(), all.begin(), std::plus<>());
+    }
+    return all;
+  }
+
+  static void CountRow(
+    const RowReflections& row, std::int64_t column, CubeReflections& result, std::vector<double>& energies)
+  {
+    std::int32_t next = 0;
+    for (const std::int32_t end : row.Ends)
+    {
+      for (; next < end; ++next)
+      {
+        const int sign = SignOf(row.All[next]);
+        if (IsWanted(row.All[next], result.Threshold))
+        {
+          ++result.BySign[sign].Starts[column];
+          AddEnergy(row.All[next], energies);
+        }
+      }
+      ++column;
+    }
   }
 
   void Gather(CubeReflections& result)
@@ -541,8 +564,8 @@ private:
           std::array<PointId, 2> next = { result.BySign[0].Begin(column), result.BySign[1].Begin(column) };
           for (const Found& found : row.All)
           {
-            const int sign = std::signbit(found.Strength) ? 1 : 0;
-            if (IsWanted(found, sign == 1, result.Threshold))
+            const int sign = SignOf(found);
+            if (IsWanted(found, result.Threshold))
             {
               const PointId pick = next[sign]++;
               result.BySign[sign].Places[pick] = found.Place;

@@ -8,6 +8,7 @@
 
 #include "ReflectionLinks.h"
 
+#include "Common/Base/FixedChunks.h"
 #include "Common/Base/Parallel.h"
 #include "WaveformCutter.h"
 
@@ -232,6 +233,18 @@ private:
   std::vector<Best> OfB;
 };
 
+struct CorrelationCounts
+{
+  static constexpr int Keys = 1 << 16;
+
+  void Add(const CorrelationCounts& other)
+  {
+    std::transform(other.Counts.begin(), other.Counts.end(), this->Counts.begin(), this->Counts.begin(), std::plus<>());
+  }
+
+  std::vector<std::int64_t> Counts = std::vector<std::int64_t>(Keys, 0);
+};
+
 template <typename Write>
 void LinkRows(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options, const Monitor& monitor,
   const Write& write)
@@ -321,15 +334,16 @@ double ReflectionLinks::Score(PointId pick, int direction) const
 //----------------------------------------------------------------------------------------------------------------------
 double ReflectionLinks::MedianCorrelation() const
 {
-  constexpr int keys = 1 << 16;
-  std::vector<std::int64_t> counts(keys, 0);
-  std::int64_t total = 0;
-  this->ForEach(
-    [&](PointId pick, int direction)
+  constexpr std::int64_t picksPerChunk = 1 << 20; // far more than keys
+  const CorrelationCounts all = AddUpChunks<CorrelationCounts>(this->Size(), picksPerChunk, Monitor(),
+    [this](CorrelationCounts& part, std::int64_t first, std::int64_t last)
     {
-      ++counts[this->Rounded(pick, direction) + keys / 2];
-      ++total;
+      this->ForEach(PointId(first), PointId(last),
+        [&](PointId pick, int direction)
+        { ++part.Counts[this->Rounded(pick, direction) + CorrelationCounts::Keys / 2]; });
     });
+  const std::vector<std::int64_t>& counts = all.Counts;
+  const std::int64_t total = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
   if (total == 0)
   {
     return 0.0;
@@ -339,24 +353,25 @@ double ReflectionLinks::MedianCorrelation() const
   {
     rank -= counts[key];
   }
-  return (key - keys / 2) / LargestRounded;
+  return (key - CorrelationCounts::Keys / 2) / LargestRounded;
 }
 
 //----------------------------------------------------------------------------------------------------------------------
 void ReflectionLinks::Drop(double smallestCorrelation)
 {
   const auto smallest = std::int32_t(std::ceil(smallestCorrelation * LargestRounded));
-  this->ForEach(
-    [&](PointId pick, int direction)
+  const auto drop = [&](PointId pick, int direction)
+  {
+    PointId& next = this->Partners[this->PlaceOf(pick, direction)];
+    assert(this->Previous(next, direction) == pick); // so no other thread writes it
+    if (this->Rounded(pick, direction) < smallest || !AreOfLikeStrength(this->Picks, pick, next))
     {
-      PointId& next = this->Partners[this->PlaceOf(pick, direction)];
-      assert(this->Previous(next, direction) == pick);
-      if (this->Rounded(pick, direction) < smallest || !AreOfLikeStrength(this->Picks, pick, next))
-      {
-        this->Partners[this->PlaceOf(next, direction) + 1] = NoPoint;
-        next = NoPoint;
-      }
-    });
+      this->Partners[this->PlaceOf(next, direction) + 1] = NoPoint;
+      next = NoPoint;
+    }
+  };
+  ParallelFor(this->Size(), Grain,
+    [&](std::int64_t first, std::int64_t last) { this->ForEach(PointId(first), PointId(last), drop); });
 }
 
 //----------------------------------------------------------------------------------------------------------------------

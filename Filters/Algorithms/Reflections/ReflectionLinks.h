@@ -82,6 +82,7 @@ public:
   ReflectionLinks(const TraceCube& cube, const ReflectionPicks& picks, const LinkOptions& options,
     const Monitor& monitor = Monitor());
 
+  PointId Size() const { return this->Picks.Size(); }
   int Directions() const { return int(this->Correlations.size()); }
 
   /// Both return NoPoint without a link.
@@ -106,9 +107,9 @@ public:
   }
 
   template <typename Visit>
-  void ForEach(Visit&& visit) const
+  void ForEach(PointId first, PointId last, Visit&& visit) const
   {
-    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
+    for (PointId pick = first; pick < last; ++pick)
     {
       for (int direction = 0; direction < this->Directions(); ++direction)
       {

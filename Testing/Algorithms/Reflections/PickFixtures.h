@@ -88,7 +88,7 @@ inline ReflectionPicks MakePicks(const std::array<int, 2>& columns, const std::v
 inline std::vector<LinkId> SortByRank(const ReflectionLinks& links)
 {
   std::vector<std::pair<std::int64_t, LinkId>> ranked;
-  links.ForEach([&](PointId pick, int direction)
+  links.ForEach(0, links.Size(), [&](PointId pick, int direction)
     { ranked.emplace_back(links.Rank(pick, direction), links.MakeId(pick, direction)); });
   std::sort(ranked.begin(), ranked.end());
   std::vector<LinkId> sorted;

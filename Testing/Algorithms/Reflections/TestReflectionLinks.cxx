@@ -18,7 +18,7 @@ namespace
 std::int64_t CountLinks(const ReflectionLinks& links)
 {
   std::int64_t number = 0;
-  links.ForEach([&number](PointId, int) { ++number; });
+  links.ForEach(0, links.Size(), [&number](PointId, int) { ++number; });
   return number;
 }
 
