@@ -196,6 +196,11 @@ def add_mesh_options(group):
                        "outlines would need over half of --triangles; 0 with --stages)")
     group.add_argument("--distance-threshold", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="T",
                        help="largest vertical deviation of outlines (default: the error; 0.4 with --stages)")
+    return (group.add_argument("--edge-length", type=number_at_least(float, 4.0), default=NOT_GIVEN, metavar="L", help="longest inner "
+                               "edge, in columns, of even, near-equilateral triangles for simulation (default: few triangles "
+                               "instead)"),
+            group.add_argument("--smallest-angle", type=number_at_least(float, 0.0), default=NOT_GIVEN, metavar="A", help="smallest "
+                               "angle in map view that optimisation may create, in degrees (default: 2, and 10 for --layers)"))
 
 
 def add_layer_options(group):

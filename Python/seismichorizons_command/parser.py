@@ -36,6 +36,9 @@ class Parser(argparse.ArgumentParser):
         for action in self.stages._group_actions:
             if hasattr(given, action.dest) and not given.stages:
                 self.error("%s is an option of --stages" % action.option_strings[0])
+        for action in self.quality:
+            if hasattr(given, action.dest) and given.stages:
+                self.error("%s is not an option of --stages" % action.option_strings[0])
         of_layers = [action.option_strings[0] for action in self.layers if hasattr(given, action.dest)] + [
             form for form in given.formats if form in options.LAYER_FORMATS]
         if of_layers and not hasattr(given, "layers"):
@@ -55,7 +58,8 @@ class _Print(argparse.Action):
 
 
 def make_parser(prog=NAME, tell=None):
-    """Returns the parser; its `stages` and `layers` are the options that need --stages and --layers."""
+    """Returns the parser; its `stages` and `layers` are the options that need --stages and --layers, its
+    `quality` those that --stages does not have."""
     parser = Parser(
         tell, prog=prog, add_help=False, formatter_class=screens.Formatter, usage="%(prog)s [options] INPUT...",
         description=screens.SUMMARY + " Reads picks of OpendTect, Petrel, OpenWorks, IESX and others, and grids as "
@@ -77,7 +81,7 @@ def make_parser(prog=NAME, tell=None):
     options.add_reader_options(parser.add_argument_group("reading"))
     options.add_cube_options(parser.add_argument_group("seismic cubes"))
     options.add_preparation_options(parser.add_argument_group("preparation", "these options read horizons whole"))
-    options.add_mesh_options(parser.add_argument_group("meshes"))
+    parser.quality = options.add_mesh_options(parser.add_argument_group("meshes"))
     parser.layers = options.add_layer_options(parser.add_argument_group("volumes"))
     parser.stages = parser.add_argument_group("stages of the thesis", "with --stages")
     options.add_stage_options(parser.stages)

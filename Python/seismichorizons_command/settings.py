@@ -14,6 +14,8 @@ SAME = (
     "HeaderLines", "Where", "StrayPicks", "LatticeTolerance", "Origin", "ColumnStep", "RowStep", "Polarity", "Joining",
     "AmplitudePercentile", "Picks", "Limits", "LimitSide", "Gridding", "GriddingRadius", "GriddingSmoothing")
 RENAMED = {"LargestNumber": "surfaces", "SmallestSize": "smallest_surface", "InlineRange": "inlines", "CrosslineRange": "crosslines"}
+# Of surfaces and layers.
+QUALITY = ("EdgeLength", "SmallestAngle")
 # What messages of classes name, in the words of the command.
 NAMES = {**{name: "--cube " + name for name in CUBE_PROPERTIES}, **{name: "--" + option.replace("_", "-") for name, option in {**{name: snake(name) for name in SAME}, **RENAMED}.items()},
          "LatticeSource OriginAndSteps": "--origin, --column-step and --row-step", "LatticeSource CornerPoints": "--corners", "NoLattice": "--picks",
@@ -56,7 +58,7 @@ def _surface(options, boundary, simplified):
     unit = {"ErrorUnit": "World"} if getattr(error, "unit", "") else {}
     named = {**boundary, **simplified}
     names = ("Radius", "SmallestHoleSize", "OutlineTolerance", "DistanceThreshold", "GrowthStrategy", "MinimumPatchSize")
-    return surface_properties(**target, **unit, **{name: named[name] for name in names if name in named})
+    return surface_properties(**target, **unit, **{name: named[name] for name in names if name in named}, **given(options, *QUALITY))
 
 
 def _error(options):
@@ -70,7 +72,7 @@ def _layers(options):
     words = getattr(options, "crossings", [])
     crossings = {} if not words else {"Crossings": words[0]} if len(words) == 1 else {"CrossingsByLayer": " ".join(words)}
     sublayers = {"Sublayers": " ".join(options.sublayers).replace(",", " ")} if hasattr(options, "sublayers") else {}
-    return {**_error(options), **crossings, **sublayers, **given(options, "Order", "Missing", "Tetrahedra")}
+    return {**_error(options), **crossings, **sublayers, **given(options, "Order", "Missing", "Tetrahedra", *QUALITY)}
 
 
 def make_settings(options):

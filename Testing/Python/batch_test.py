@@ -145,6 +145,7 @@ class BatchTest(unittest.TestCase):
         self.assertLessEqual(data.GetArray("LargestError").GetValue(0), error + 1e-9)
         self.assertIn("error %.2g vertical indices, six times the noise of %.2g" % (error, error / 6.0), done.stdout)
         self.assertIn("--elaborate is an option of --stages", self.refused(SAMPLE, "--largest-error", "1", "--elaborate", code=2))
+        self.assertIn("--edge-length is not an option of --stages", self.refused(SAMPLE, "--stages", "--edge-length", "9", code=2))
 
     def test_triangles(self):
         """At most so many in each mesh; what is given is not chosen. The picture has the panels of what was made."""

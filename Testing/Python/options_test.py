@@ -184,6 +184,9 @@ class OptionsTest(unittest.TestCase):
                                    "DistanceThreshold": 0.4, "MinimumPatchSize": 9, "GrowthStrategy": "Distance"})
         self.assertTrue(own.leave_out_invalid)
         self.assertIsNone(self.settings("--stages", "--radius", "2").surface)
+        even = self.settings("--edge-length", "12", "--smallest-angle", "20", "--layers")
+        self.assertEqual(even.surface, {"EdgeLength": 12.0, "SmallestAngle": 20.0})
+        self.assertEqual({**even.layers, **even.surface}, even.layers)
 
     def test_triangles(self):
         settings = self.settings("--triangles", "5000")
@@ -207,7 +210,7 @@ class OptionsTest(unittest.TestCase):
         of_stages = ("--stages", "--keep-holes", "--bound-deviation", "--fewest-outline-points", "--cell-size", "4", "--elaborate",
                      "--elaborate-cell-size", "5", "--flatness-threshold", "1", "--representative", "NearestPoint")
         of_surface = ("--largest-error", "2 ms", "--layers", "--crossings", "Mean", "--order", "AsGiven", "--missing", "Void",
-                      "--sublayers", "1,3", "--tetrahedra")
+                      "--sublayers", "1,3", "--tetrahedra", "--edge-length", "12", "--smallest-angle", "20")
         self.assertEqual(core.options(self.settings(*of_surface).layers)["sublayers"], "1 3")
         for more in (of_stages, of_surface, ("--triangles", "9")):
             settings = self.settings(*words, *more)
