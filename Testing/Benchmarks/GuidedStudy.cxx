@@ -3,6 +3,7 @@
 
 #include "GuidedStudy.h"
 
+#include "GuidedTexts.h"
 #include "PlainTracker.h"
 #include "Tools/GuideScore.h"
 
@@ -202,34 +203,45 @@ void PrintReliability(const std::string& name, const std::vector<Reliability>& b
   std::fflush(stdout);
 }
 
-void PrintConfidenceTable(int cubes)
+std::vector<Reliability> MeasureReliability(const std::vector<CubeGenerator>& cubes, const GuidedPlan& plan)
 {
   ExtractionOptions options;
   options.SmallestSize = 10;
-  std::printf("| picks, noise |");
+  std::vector<Reliability> bins(ConfidenceBins.size() - 1);
+  for (const CubeGenerator& cube : cubes)
+  {
+    const std::vector<LatticeHorizon> surfaces =
+      ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed));
+    for (std::size_t n = 0; n < surfaces.size(); ++n)
+    {
+      if (!surfaces[n].Column.empty())
+      {
+        AddPicks(surfaces[n], MeasureMisses(cube, int(n), surfaces[n]), bins);
+      }
+    }
+  }
+  return bins;
+}
+
+void PrintBins(const char* rows)
+{
+  std::printf("| %s |", rows);
   for (std::size_t bin = 1; bin < ConfidenceBins.size(); ++bin)
   {
     std::printf(" %.1f to %.1f |", ConfidenceBins[bin - 1], ConfidenceBins[bin]);
   }
   std::printf("\n| --- | --- | --- | --- | --- | --- |\n");
+}
+
+void PrintConfidenceTable(int cubes)
+{
+  PrintBins("picks, noise");
   for (const GuidedPlan& plan : { GuidedPlans[0], GuidedPlans[1], GuidedPlans[4] })
   {
     for (const double noise : GuidedNoises)
     {
-      std::vector<Reliability> bins(ConfidenceBins.size() - 1);
-      for (const CubeGenerator& cube : MakeNoisyCubes(cubes, noise))
-      {
-        const std::vector<LatticeHorizon> surfaces =
-          ExtractGuided(cube, options, MakeGuides(cube, plan.Picks, cube.Options().Seed));
-        for (std::size_t n = 0; n < surfaces.size(); ++n)
-        {
-          if (!surfaces[n].Column.empty())
-          {
-            AddPicks(surfaces[n], MeasureMisses(cube, int(n), surfaces[n]), bins);
-          }
-        }
-      }
-      PrintReliability(plan.Name + ", " + std::to_string(int(100.0 * noise)) + " %", bins);
+      PrintReliability(plan.Name + ", " + std::to_string(int(100.0 * noise)) + " %",
+        MeasureReliability(MakeNoisyCubes(cubes, noise), plan));
     }
   }
 }
@@ -293,18 +305,18 @@ void PrintSamplingTable(int cubes)
 
 // ---- Troubles ------------------------------------------------------------------------------------------------------
 
-void PrintTroubleTable(int cubes)
+/// By the name of the trouble.
+std::map<std::string, std::vector<CubeGenerator>> MakeTroubledCubes(int cubes)
 {
-  ExtractionOptions options = TakeAll();
-  std::printf("| trouble | no picks | 1 pick | 5 picks | 20 picks |\n| --- | --- | --- | --- | --- |\n");
   std::map<std::string, std::set<Trouble>> rows = { { "(none)", {} } };
   for (const auto& [name, trouble] : TroubleNames())
   {
     rows[name] = { trouble };
   }
+  std::map<std::string, std::vector<CubeGenerator>> troubled;
   for (const auto& [name, troubles] : rows)
   {
-    const std::vector<CubeGenerator> generators = MakeWildCubes(cubes,
+    troubled[name] = MakeWildCubes(cubes,
       [own = troubles](CubeGeneratorOptions& wild)
       {
         wild.Size = { 90, 80, wild.Size[2] };
@@ -312,6 +324,16 @@ void PrintTroubleTable(int cubes)
         wild.Noise = NoiseKind::Lateral;
         wild.Troubles = own;
       });
+  }
+  return troubled;
+}
+
+void PrintTroubleTable(int cubes)
+{
+  ExtractionOptions options = TakeAll();
+  std::printf("| trouble | no picks | 1 pick | 5 picks | 20 picks |\n| --- | --- | --- | --- | --- |\n");
+  for (const auto& [name, generators] : MakeTroubledCubes(cubes))
+  {
     std::printf("| %s |", name.c_str());
     PrintScore(
       generators, [&](const CubeGenerator& cube) { return ScoreUnguided(cube, ExtractFrom(cube, options).Surfaces); });
@@ -329,44 +351,15 @@ void PrintTroubleTable(int cubes)
   }
 }
 
-constexpr const char* Guided = R"(## Guided
-
-Five picks per piece find most of a horizon, even if some of them are wrong. %d wild cubes (`generate_cube --wild`) of
-110 x 96 traces of 280 samples: hard cubes with an unconformity, two channels, and one to four short faults. Half of the
-noise is in band, a quarter is white, and a quarter is dipping waves. *Picks* are random in each piece of a reflector
-(100 or more connected columns), or all picks on every 20th line. Entries are percentages: *found* / *weakest* / *off*,
-picks more than half a period from the reflector / *absent*, picks where there is none. Without picks, the best surface
-of each piece is evaluated. The *plain tracker*, for comparison, knows the picks and the true period, and grows only
-from the picks, best correlation first.
-)";
-
-constexpr const char* Confidence = R"(
-## Confidence
-
-The array `Confidence` of guided horizons in the same cubes, in bins. Entries are percentages: points in the bin, then
-of these their mean confidence / those within half a period of the reflector / those *off*, where the reflector exists.
-
-)";
-
-constexpr const char* Troubles = R"(
-## Other troubles
-
-Parts of wild cubes, of 90 x 80 traces, with 25 % noise: half white, half in band and similar in neighbouring columns,
-as after migration. Each has one more problem (`generate_cube --trouble`): clinoforms that downlap on the unconformity,
-amplitudes clipped to 8 bits, three strips of dead traces, an acquisition footprint, a gas cloud that weakens and
-delays, a growth fault with rollover and drag, multiples that cross reflectors, polarity that reverses along every
-reflector, a bright reef with steep flanks, a salt plug with upturned flanks, smiles of migration, residual statics, or
-a wavelet whose frequency falls to 0.4 of its value. Entries as under *Guided*.
-
-)";
-
-constexpr const char* Sampling = R"(
-## Fine sampling
-
-Parts of wild cubes, of 70 x 60 traces, sampled more and more finely, with white noise. Entries as under *Guided*. With
-picks, traces with more than 2.5 peaks in half a period are smoothed first, so that no less is found.
-
-)";
+void PrintConfidenceOfTroubles(int cubes)
+{
+  std::printf("\nTheir confidence with five picks, as under *Confidence*:\n\n");
+  PrintBins("trouble");
+  for (const auto& [name, generators] : MakeTroubledCubes(cubes))
+  {
+    PrintReliability(name, MeasureReliability(generators, GuidedPlans[1]));
+  }
+}
 }
 
 //----------------------------------------------------------------------------------------------------------------------
@@ -383,15 +376,16 @@ Extraction ExtractFrom(const CubeGenerator& cube, const ExtractionOptions& optio
 //----------------------------------------------------------------------------------------------------------------------
 void PrintGuidedStudy(int cubes)
 {
-  std::printf(Guided, cubes);
+  std::printf(GuidedText, cubes);
   std::printf("\n");
   PrintGuidedTable(cubes);
   PrintOrders(cubes);
-  std::printf("%s", Confidence);
+  std::printf("%s", ConfidenceText);
   PrintConfidenceTable(cubes);
-  std::printf("%s", Sampling);
+  std::printf("%s", SamplingText);
   PrintSamplingTable((cubes + 1) / 2);
-  std::printf("%s", Troubles);
+  std::printf("%s", TroublesText);
   PrintTroubleTable((cubes + 1) / 2);
+  PrintConfidenceOfTroubles((cubes + 1) / 2);
 }
 }
