@@ -188,6 +188,11 @@ void TakeFirst(const ExtractionOptions& options, std::vector<SurfaceSize>& sizes
 
 void Renumber(const std::vector<SurfaceSize>& sizes, int sign, PointId first, RawVector<PointId>& surfaces)
 {
+  if (sizes.empty())
+  {
+    surfaces.assign(surfaces.size(), NoPoint);
+    return;
+  }
   std::vector<PointId> positions(surfaces.size(), NoPoint);
   for (std::size_t n = 0; n < sizes.size(); ++n)
   {
@@ -726,13 +731,10 @@ Extraction ExtractReflections(const TraceCube& given, const ExtractionOptions& o
   JoinSigns(cube, areWanted, options, *joined, monitor.Step(0.3, isGuided ? 0.7 : 0.9));
   for (const int sign : { 0, 1 })
   {
-    surfaces[sign].assign(joined->Picks.BySign[sign].Size(), NoPoint);
-    if (areWanted[sign])
-    {
-      surfaces[sign] =
-        TakeSurfaces(cube, sign, guided, isKept, *joined, monitor.Step(0.7 + 0.1 * sign, 0.8 + 0.1 * sign));
-      result.MedianCorrelation = std::max(result.MedianCorrelation, joined->MedianCorrelations[sign]);
-    }
+    surfaces[sign] = areWanted[sign]
+      ? TakeSurfaces(cube, sign, guided, isKept, *joined, monitor.Step(0.7 + 0.1 * sign, 0.8 + 0.1 * sign))
+      : RawVector<PointId>(std::size_t(joined->Picks.BySign[sign].Size()), NoPoint);
+    result.MedianCorrelation = std::max(result.MedianCorrelation, joined->MedianCorrelations[sign]);
   }
   std::vector<SurfaceSize> sizes =
     hasOthers ? ListSizesOfBoth(joined->Picks, surfaces, result.SmallestSize) : std::vector<SurfaceSize>();
