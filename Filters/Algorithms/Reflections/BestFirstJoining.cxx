@@ -12,13 +12,16 @@
 // 2. A thread tries the links of a window. A link across the border makes its set wait, and is left for a larger
 // window; so is a link to a waiting set, which makes both wait.
 // 3. Windows grow, and try the links left, until one holds all columns.
-// 4. There, refused links are tried again, as sets may have grown.
+// 4. There, sets that links connect, mostly those of one reflector, are independent of others: threads try the links of
+// each such part. In the end refused links are tried again, as sets may have grown.
 
 #include "SurfaceJoining.h"
 
 #include "Common/Base/CountingSort.h"
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/FixedChunks.h"
+#include "Common/Base/SideBySide.h"
+#include "SurfaceSets.h"
 
 #include <algorithm>
 #include <array>
@@ -32,8 +35,6 @@ namespace SeismicHorizons
 {
 namespace
 {
-// ---- Sets of columns -----------------------------------------------------------------------------------------------
-
 struct ColumnWindow
 {
   int FirstI = 0;
@@ -44,171 +45,9 @@ struct ColumnWindow
   bool Has(int i, int j) const { return i >= this->FirstI && i < this->EndI && j >= this->FirstJ && j < this->EndJ; }
 };
 
-class ColumnSet
-{
-public:
-  bool Has(int i, int j) const
-  {
-    const int word = (i >> WordShift) - this->FirstWord;
-    const int row = j - this->FirstRow;
-    const bool isInside = unsigned(word) < unsigned(this->Words) && unsigned(row) < unsigned(this->Rows);
-    return isInside && (this->Bits[this->WordAt(word, row)] >> (i & WordMask) & 1U) != 0;
-  }
-
-  void Add(int i, int j)
-  {
-    int word = (i >> WordShift) - this->FirstWord;
-    int row = j - this->FirstRow;
-    if (unsigned(word) >= unsigned(this->Words) || unsigned(row) >= unsigned(this->Rows))
-    {
-      this->Include(i >> WordShift, j);
-      word = (i >> WordShift) - this->FirstWord;
-      row = j - this->FirstRow;
-    }
-    this->Bits[this->WordAt(word, row)] |= std::uint64_t(1) << (i & WordMask);
-  }
-
-private:
-  static constexpr int WordShift = 6;
-  static constexpr int WordMask = 63;
-
-  std::size_t WordAt(int word, int row) const { return std::size_t(row) * this->Words + word; }
-
-  /// Rows grow by half more than needed, so that growth is rare.
-  void Include(int word, int row)
-  {
-    ColumnSet larger;
-    const bool isEmpty = this->Rows == 0;
-    larger.FirstWord = isEmpty ? word : std::min(this->FirstWord, word);
-    larger.Words = (isEmpty ? word + 1 : std::max(this->FirstWord + this->Words, word + 1)) - larger.FirstWord;
-    const int more = 2 + this->Rows / 2;
-    const int low = isEmpty ? row : this->FirstRow;
-    const int end = isEmpty ? row + 1 : this->FirstRow + this->Rows;
-    larger.FirstRow = row < low || isEmpty ? std::max(0, row - more) : low;
-    larger.Rows = (row >= end || isEmpty ? row + 1 + more : end) - larger.FirstRow;
-    larger.Bits.assign(std::size_t(larger.Rows) * larger.Words, 0);
-    for (int r = 0; r < this->Rows; ++r)
-    {
-      std::copy_n(this->Bits.begin() + this->WordAt(0, r), this->Words,
-        larger.Bits.begin() + larger.WordAt(this->FirstWord - larger.FirstWord, r + this->FirstRow - larger.FirstRow));
-    }
-    *this = std::move(larger);
-  }
-
-  int FirstWord = 0;
-  int FirstRow = 0;
-  int Words = 0;
-  int Rows = 0;
-  std::vector<std::uint64_t> Bits;
-};
-
-// ---- Sets of picks -------------------------------------------------------------------------------------------------
-
-/// Sets have at most one pick per column, and the number of one of their picks. Members form a ring.
-class SurfaceSets
-{
-public:
-  explicit SurfaceSets(const ReflectionPicks& picks)
-    : Picks(picks)
-    , Labels(picks.Places.size(), NoPoint - 1)
-    , Members(picks.Places.size())
-  {
-    picks.ForEach([this](PointId pick, std::int32_t column) { this->Members[pick] = { pick, column }; });
-  }
-
-  /// Returns NoPoint for a dropped pick.
-  PointId SetOf(PointId pick) const
-  {
-    const PointId label = this->Labels[pick];
-    return label < NoPoint ? pick : label;
-  }
-  PointId SizeOf(PointId set) const { return (NoPoint - this->Labels[set]) & ~WaitBit; }
-  std::int32_t ColumnOf(PointId pick) const { return this->Members[pick].Column; }
-
-  bool Waits(PointId set) const { return ((NoPoint - this->Labels[set]) & WaitBit) != 0; }
-  void SetWaits(PointId set, bool waits)
-  {
-    assert(this->SetOf(set) == set);
-    this->Labels[set] = NoPoint - (this->SizeOf(set) | (waits ? WaitBit : 0));
-  }
-
-  bool HasColumn(PointId set, std::int64_t column) const
-  {
-    int found = int(this->ColumnOf(set) == column);
-    const PointId end = this->Picks.End(column);
-    for (PointId pick = this->Picks.Begin(column); pick < end; ++pick)
-    {
-      found |= int(this->Labels[pick] == set);
-    }
-    return found != 0;
-  }
-
-  template <typename Visit>
-  void ForEachMember(PointId set, Visit&& visit) const
-  {
-    PointId pick = set;
-    do
-    {
-      if (!visit(pick))
-      {
-        return;
-      }
-      pick = this->Members[pick].Next;
-    } while (pick != set);
-  }
-
-  /// Members in columns that `big` has are dropped.
-  void Absorb(PointId big, PointId small, bool areShared)
-  {
-    assert(big != small && this->SetOf(big) == big && this->SetOf(small) == small);
-    PointId size = this->SizeOf(big);
-    PointId pick = small;
-    do
-    {
-      const PointId next = this->Members[pick].Next;
-      // Picks added before lie in other columns.
-      if (areShared && this->HasColumn(big, this->ColumnOf(pick)))
-      {
-        this->Labels[pick] = NoPoint;
-      }
-      else
-      {
-        this->Labels[pick] = big;
-        this->Members[pick].Next = std::exchange(this->Members[big].Next, pick);
-        ++size;
-      }
-      pick = next;
-    } while (pick != small);
-    this->Labels[big] = NoPoint - size;
-  }
-
-  RawVector<PointId> TakeLabels()
-  {
-    for (PointId pick = 0; pick < this->Picks.Size(); ++pick)
-    {
-      this->Labels[pick] = this->SetOf(pick);
-    }
-    return std::move(this->Labels);
-  }
-
-private:
-  struct Member
-  {
-    PointId Next = NoPoint;
-    std::int32_t Column = 0;
-  };
-
-  const ReflectionPicks& Picks;
-  // The naming pick of a set has a label below NoPoint by the size of the set; picks are fewer than 2^30, which leaves
-  // a bit for waiting sets.
-  static constexpr PointId WaitBit = PointId(1) << 30;
-  RawVector<PointId> Labels;
-  RawVector<Member> Members;
-};
-
 // ---- Whether two parts fit -----------------------------------------------------------------------------------------
 
-/// Threads may work on different parts, as only the two parts and their columns in the window are read.
+/// Threads may work on different parts, as only the picks of two parts, and those with links to them, are read.
 class PartFit
 {
 public:
@@ -221,14 +60,15 @@ public:
   {
   }
 
-  /// `columns` belong to the larger set, or are null; the window must hold both sets.
-  bool MayJoin(
-    PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window, std::int64_t& shared) const
+  /// `columns` belong to the larger set, or are null; the window must hold both sets. `shared` are picks of the smaller
+  /// one in these columns.
+  bool MayJoin(PointId big, const ColumnSet* columns, PointId small, const ColumnWindow& window,
+    std::vector<PointId>& shared) const
   {
     const auto hasColumn = [&](int i, int j)
     { return columns ? columns->Has(i, j) : this->Sets.HasColumn(big, this->Picks.ColumnAt(i, j)); };
     const PointId size = this->Sets.SizeOf(small);
-    const auto most = std::int64_t(this->Rules.LargestShare * size);
+    const auto most = std::size_t(this->Rules.LargestShare * size);
     const bool needsContact = size >= this->Rules.ContactSize;
     std::int64_t facing = 0;
     std::int64_t linked = 0;
@@ -242,22 +82,25 @@ public:
       linked += isLinked ? 1 : 0;
       facing += isLinked || hasColumn(i, j) ? 1 : 0;
     };
-    shared = 0;
+    shared.clear();
     this->Sets.ForEachMember(small,
       [&](PointId pick)
       {
         const int i = this->Picks.IOf(this->Sets.ColumnOf(pick));
         const int j = this->Picks.JOf(this->Sets.ColumnOf(pick));
-        shared += hasColumn(i, j) ? 1 : 0;
+        if (hasColumn(i, j))
+        {
+          shared.push_back(pick);
+        }
         for (int direction = 0; needsContact && direction < this->Links.Directions(); ++direction)
         {
           const ColumnStep& step = TraceSteps[direction];
           look(this->Links.Next(pick, direction), i + step.I, j + step.J);
           look(this->Links.Previous(pick, direction), i - step.I, j - step.J);
         }
-        return shared <= most;
+        return shared.size() <= most;
       });
-    return shared <= most && (!needsContact || this->IsEnough(big, small, facing, linked));
+    return shared.size() <= most && (!needsContact || this->IsEnough(big, small, facing, linked));
   }
 
   const ReflectionPicks& Picks;
@@ -397,6 +240,9 @@ public:
   {
   }
 
+  /// Lists the links to be tried as those left.
+  void List() { this->Here.Left = std::exchange(this->Here.IsFirst, false) ? this->ListAll() : this->ListLeft(); }
+
   void Run(const Monitor& monitor)
   {
     std::vector<RankedLink> links = this->Here.IsFirst ? this->ListAll() : this->ListLeft();
@@ -484,6 +330,11 @@ private:
   /// They begin just outside the border.
   void AddThoseThatLeadIn(std::vector<RankedLink>& links) const
   {
+    if (this->Here.EndI - this->Here.FirstI == this->Picks.Columns[0] &&
+      this->Here.EndJ - this->Here.FirstJ == this->Picks.Columns[1])
+    {
+      return;
+    }
     const auto look = [&](PointId pick, int i, int j)
     {
       for (int direction = 0; direction < this->Links.Directions(); ++direction)
@@ -613,8 +464,7 @@ private:
       return false;
     }
     ColumnSet* const columns = this->ColumnsOf(big);
-    std::int64_t shared = 0;
-    if (!this->Fit.MayJoin(big, columns, small, this->Here, shared))
+    if (!this->Fit.MayJoin(big, columns, small, this->Here, this->Shared))
     {
       this->Here.Refusals[key] = size;
       return false;
@@ -627,7 +477,7 @@ private:
     {
       this->Here.Columns.erase(small);
     }
-    this->Sets.Absorb(big, small, shared > 0);
+    this->Sets.Absorb(big, small, this->Shared);
     return true;
   }
 
@@ -662,6 +512,7 @@ private:
   SurfaceSets& Sets;
   JoiningWindow& Here;
   std::vector<PointId> Waiting;
+  std::vector<PointId> Shared; // of the sets that are tried
 };
 
 // ---- From windows to all columns -----------------------------------------------------------------------------------
@@ -711,6 +562,120 @@ std::vector<JoiningWindow> MergeWindows(
 }
 }
 
+namespace
+{
+/// Splits what is left, and refused, of the window of all columns into parts without common sets, largest first.
+class WindowParts
+{
+public:
+  WindowParts(const ReflectionLinks& links, const SurfaceSets& sets, JoiningWindow& whole)
+    : Links(links)
+    , Sets(sets)
+    , Connected(std::size_t(links.Size()))
+    , Numbers(std::size_t(links.Size()), NoPoint)
+  {
+    this->Connect(whole.Left);
+    this->Connect(whole.Refused);
+    this->Number(whole);
+    this->Deal(whole.Left, &JoiningWindow::Left);
+    this->Deal(whole.Refused, &JoiningWindow::Refused);
+    for (const auto& [key, size] : whole.Refusals)
+    {
+      const PointId number = this->NumberOf(PointId(key >> 32));
+      if (number != NoPoint)
+      {
+        this->Parts[number].Refusals.emplace(key, size);
+      }
+    }
+    for (auto next = whole.Columns.begin(); next != whole.Columns.end();)
+    {
+      const auto columns = next++;
+      const PointId number = this->NumberOf(columns->first);
+      if (number != NoPoint)
+      {
+        this->Parts[number].Columns.insert(whole.Columns.extract(columns));
+      }
+    }
+  }
+
+  std::vector<JoiningWindow> Take() { return std::move(this->Parts); }
+
+private:
+  Edge SetsOf(const RankedLink& ranked) const
+  {
+    const PointId from = this->Links.PickOf(ranked.Link());
+    const PointId to = this->Links.Next(from, this->Links.DirectionOf(ranked.Link()));
+    return { this->Sets.SetOf(from), this->Sets.SetOf(to) };
+  }
+
+  void Connect(const std::vector<RankedLink>& links)
+  {
+    for (const RankedLink& link : links)
+    {
+      const Edge sets = this->SetsOf(link);
+      if (sets.From != NoPoint && sets.To != NoPoint)
+      {
+        this->Connected.Join(sets.From, sets.To);
+      }
+    }
+  }
+
+  void Number(const JoiningWindow& whole)
+  {
+    std::vector<std::pair<std::int64_t, PointId>> sizes; // negative; representatives
+    for (const std::vector<RankedLink>* const links : { &whole.Left, &whole.Refused })
+    {
+      for (const RankedLink& link : *links)
+      {
+        const PointId set = this->SetsOf(link).From;
+        if (set == NoPoint)
+        {
+          continue;
+        }
+        const PointId part = this->Connected.Find(set);
+        PointId& number = this->Numbers[part];
+        if (number == NoPoint)
+        {
+          number = PointId(sizes.size());
+          sizes.emplace_back(0, part);
+        }
+        --sizes[number].first;
+      }
+    }
+    std::sort(sizes.begin(), sizes.end());
+    for (std::size_t n = 0; n < sizes.size(); ++n)
+    {
+      this->Numbers[sizes[n].second] = PointId(n);
+    }
+    JoiningWindow part;
+    static_cast<ColumnWindow&>(part) = whole;
+    part.IsFirst = false;
+    this->Parts.assign(sizes.size(), part);
+  }
+
+  /// Returns NoPoint for a set without links.
+  PointId NumberOf(PointId set) { return this->Numbers[this->Connected.Find(set)]; }
+
+  void Deal(const std::vector<RankedLink>& links, std::vector<RankedLink> JoiningWindow::*list)
+  {
+    for (const RankedLink& link : links)
+    {
+      const PointId set = this->SetsOf(link).From;
+      if (set != NoPoint)
+      {
+        (this->Parts[this->NumberOf(set)].*list).push_back(link);
+      }
+    }
+  }
+
+  const ReflectionLinks& Links;
+  const SurfaceSets& Sets;
+  DisjointSets Connected; // by set
+  std::vector<PointId> Numbers; // of parts, by representative
+  std::vector<JoiningWindow> Parts;
+};
+}
+
 struct BestFirstJoining::Parts
 {
   explicit Parts(const ReflectionPicks& picks)
@@ -742,7 +707,6 @@ void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rul
   const int all = std::max(this->Picks.Columns[0], this->Picks.Columns[1]);
   int side = std::exchange(this->Joined->AreSingle, false) ? FirstSide(this->Picks, this->WindowPicks) : all;
   std::vector<JoiningWindow> windows = MakeWindows(this->Picks.Columns, side);
-  assert(!rules.Correlate || windows.size() == 1); // it runs on one thread
   constexpr double last = 0.6;
   double done = 0.0;
   while (windows.size() > 1)
@@ -760,10 +724,22 @@ void BestFirstJoining::Run(const ReflectionLinks& links, const JoiningRules& rul
     side = side < all / SideGrowth ? side * SideGrowth : all;
     windows = MergeWindows(this->Picks.Columns, windows, side);
   }
-  windows.front().Columns.merge(this->Joined->Columns);
-  WindowWorker(fit, sets, windows.front()).Run(monitor.Step(last, 0.9));
-  WindowWorker(fit, sets, windows.front()).TryRefused(monitor.Step(0.9, 1.0));
-  this->Joined->Columns = std::move(windows.front().Columns);
+  JoiningWindow& whole = windows.front();
+  whole.Columns.merge(this->Joined->Columns);
+  WindowWorker(fit, sets, whole).List();
+  std::vector<JoiningWindow> parts = WindowParts(links, sets, whole).Take();
+  RunSideBySide(std::int64_t(parts.size()), std::int64_t(parts.size()), monitor.Step(last, 1.0),
+    [&](std::int64_t n, const Monitor& step)
+    {
+      WindowWorker worker(fit, sets, parts[n]);
+      worker.Run(step.Step(0.0, 0.9));
+      worker.TryRefused(step.Step(0.9, 1.0));
+    });
+  for (JoiningWindow& part : parts)
+  {
+    whole.Columns.merge(part.Columns);
+  }
+  this->Joined->Columns = std::move(whole.Columns);
 }
 
 //----------------------------------------------------------------------------------------------------------------------

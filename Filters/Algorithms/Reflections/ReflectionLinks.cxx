@@ -384,7 +384,7 @@ std::int64_t ReflectionLinks::Rank(PointId pick, int direction) const
 //----------------------------------------------------------------------------------------------------------------------
 ContactCorrelation MakeContactCorrelation(const TraceCube& cube, const ReflectionPicks& picks, int halfWidth)
 {
-  return [contact = ContactWaveforms(cube, picks, halfWidth)](std::vector<Edge> pairs) mutable
-  { return contact.Correlate(std::move(pairs)); };
+  return [&cube, &picks, halfWidth](std::vector<Edge> pairs)
+  { return ContactWaveforms(cube, picks, halfWidth).Correlate(std::move(pairs)); };
 }
 }

@@ -194,7 +194,7 @@ bool AreOfLikeStrength(const ReflectionPicks& picks, PointId a, PointId b);
 /// Correlates mean waveforms of both sides of a contact, in which noise cancels out, -1 to 1.
 using ContactCorrelation = std::function<double(std::vector<Edge> pairs)>;
 
-/// About 64 pairs, spread over all, are compared, on one thread.
+/// About 64 pairs, spread over all, are compared. Threads may call it in parallel.
 ContactCorrelation MakeContactCorrelation(const TraceCube& cube, const ReflectionPicks& picks, int halfWidth);
 }
 

@@ -28,7 +28,7 @@ struct JoiningRules
   PointId LargestFilled = std::numeric_limits<PointId>::max();
   double LargestFilledWidth = 0.0;
   /// Wider parts are joined if enough pairs link them, these cover this fraction of the facing pairs, and the mean
-  /// waveforms correlate. Only a second run may correlate.
+  /// waveforms correlate.
   std::int64_t FewestWidePairs = 10;
   double SmallestWideContact = 0.7;
   double SmallestWideCorrelation = 0.9;
