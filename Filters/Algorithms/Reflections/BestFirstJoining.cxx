@@ -569,31 +569,29 @@ class WindowParts
 {
 public:
   WindowParts(const ReflectionLinks& links, const SurfaceSets& sets, JoiningWindow& whole)
-    : Links(links)
-    , Sets(sets)
-    , Connected(std::size_t(links.Size()))
+    : Connected(std::size_t(links.Size()))
     , Numbers(std::size_t(links.Size()), NoPoint)
   {
-    this->Connect(whole.Left);
-    this->Connect(whole.Refused);
-    this->Number(whole);
-    this->Deal(whole.Left, &JoiningWindow::Left);
-    this->Deal(whole.Refused, &JoiningWindow::Refused);
+    const std::vector<Edge> left = ListSets(links, sets, whole.Left);
+    const std::vector<Edge> refused = ListSets(links, sets, whole.Refused);
+    this->Connect(left);
+    this->Connect(refused);
+    this->Number(left, refused, whole);
+    this->Deal(left, whole.Left, &JoiningWindow::Left);
+    this->Deal(refused, whole.Refused, &JoiningWindow::Refused);
     for (const auto& [key, size] : whole.Refusals)
     {
-      const PointId number = this->NumberOf(PointId(key >> 32));
-      if (number != NoPoint)
+      if (JoiningWindow* const part = this->PartOf(PointId(key >> 32)))
       {
-        this->Parts[number].Refusals.emplace(key, size);
+        part->Refusals.emplace(key, size);
       }
     }
     for (auto next = whole.Columns.begin(); next != whole.Columns.end();)
     {
       const auto columns = next++;
-      const PointId number = this->NumberOf(columns->first);
-      if (number != NoPoint)
+      if (JoiningWindow* const part = this->PartOf(columns->first))
       {
-        this->Parts[number].Columns.insert(whole.Columns.extract(columns));
+        part->Columns.insert(whole.Columns.extract(columns));
       }
     }
   }
@@ -601,75 +599,85 @@ public:
   std::vector<JoiningWindow> Take() { return std::move(this->Parts); }
 
 private:
-  Edge SetsOf(const RankedLink& ranked) const
+  /// Links of dropped picks have none.
+  static std::vector<Edge> ListSets(
+    const ReflectionLinks& links, const SurfaceSets& sets, const std::vector<RankedLink>& ranked)
   {
-    const PointId from = this->Links.PickOf(ranked.Link());
-    const PointId to = this->Links.Next(from, this->Links.DirectionOf(ranked.Link()));
-    return { this->Sets.SetOf(from), this->Sets.SetOf(to) };
+    std::vector<Edge> found(ranked.size());
+    ParallelFor(std::int64_t(ranked.size()), Grain,
+      [&](std::int64_t first, std::int64_t last)
+      {
+        for (std::int64_t n = first; n < last; ++n)
+        {
+          const PointId from = links.PickOf(ranked[n].Link());
+          const PointId to = links.Next(from, links.DirectionOf(ranked[n].Link()));
+          const Edge ends = { sets.SetOf(from), sets.SetOf(to) };
+          found[n] = ends.From == NoPoint || ends.To == NoPoint ? Edge{ NoPoint, NoPoint } : ends;
+        }
+      });
+    return found;
   }
 
-  void Connect(const std::vector<RankedLink>& links)
+  void Connect(const std::vector<Edge>& links)
   {
-    for (const RankedLink& link : links)
+    for (const Edge& sets : links)
     {
-      const Edge sets = this->SetsOf(link);
-      if (sets.From != NoPoint && sets.To != NoPoint)
+      if (sets.From != NoPoint)
       {
         this->Connected.Join(sets.From, sets.To);
       }
     }
   }
 
-  void Number(const JoiningWindow& whole)
+  void Number(const std::vector<Edge>& left, const std::vector<Edge>& refused, const ColumnWindow& whole)
   {
     std::vector<std::pair<std::int64_t, PointId>> sizes; // negative; representatives
-    for (const std::vector<RankedLink>* const links : { &whole.Left, &whole.Refused })
+    for (const std::vector<Edge>* const links : { &left, &refused })
     {
-      for (const RankedLink& link : *links)
+      for (const Edge& sets : *links)
       {
-        const PointId set = this->SetsOf(link).From;
-        if (set == NoPoint)
+        if (sets.From != NoPoint)
         {
-          continue;
+          const PointId representative = this->Connected.Find(sets.From);
+          PointId& number = this->Numbers[representative];
+          if (number == NoPoint)
+          {
+            number = PointId(sizes.size());
+            sizes.emplace_back(0, representative);
+          }
+          --sizes[number].first;
         }
-        const PointId part = this->Connected.Find(set);
-        PointId& number = this->Numbers[part];
-        if (number == NoPoint)
-        {
-          number = PointId(sizes.size());
-          sizes.emplace_back(0, part);
-        }
-        --sizes[number].first;
       }
     }
     std::sort(sizes.begin(), sizes.end());
+    this->Parts.resize(sizes.size());
     for (std::size_t n = 0; n < sizes.size(); ++n)
     {
       this->Numbers[sizes[n].second] = PointId(n);
+      static_cast<ColumnWindow&>(this->Parts[n]) = whole;
+      this->Parts[n].IsFirst = false;
     }
-    JoiningWindow part;
-    static_cast<ColumnWindow&>(part) = whole;
-    part.IsFirst = false;
-    this->Parts.assign(sizes.size(), part);
   }
 
-  /// Returns NoPoint for a set without links.
-  PointId NumberOf(PointId set) { return this->Numbers[this->Connected.Find(set)]; }
-
-  void Deal(const std::vector<RankedLink>& links, std::vector<RankedLink> JoiningWindow::*list)
+  /// Returns null for a set without links.
+  JoiningWindow* PartOf(PointId set)
   {
-    for (const RankedLink& link : links)
+    const PointId number = this->Numbers[this->Connected.Find(set)];
+    return number == NoPoint ? nullptr : &this->Parts[number];
+  }
+
+  void Deal(
+    const std::vector<Edge>& sets, const std::vector<RankedLink>& links, std::vector<RankedLink> JoiningWindow::*list)
+  {
+    for (std::size_t n = 0; n < links.size(); ++n)
     {
-      const PointId set = this->SetsOf(link).From;
-      if (set != NoPoint)
+      if (sets[n].From != NoPoint)
       {
-        (this->Parts[this->NumberOf(set)].*list).push_back(link);
+        (this->PartOf(sets[n].From)->*list).push_back(links[n]);
       }
     }
   }
 
-  const ReflectionLinks& Links;
-  const SurfaceSets& Sets;
   DisjointSets Connected; // by set
   std::vector<PointId> Numbers; // of parts, by representative
   std::vector<JoiningWindow> Parts;
