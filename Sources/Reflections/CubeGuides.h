@@ -22,8 +22,11 @@ struct GuidePicks
   Guide Given; // columns and samples of the cube
   std::vector<std::array<double, 3>> Places; // world coordinates of the picks
   std::size_t Outside = 0; // points outside the cube, which are not picks
-  std::string FirstOutside; // world coordinates of the first of these
+  std::string FirstOutside; // the place of the first of these
 };
+
+/// With z as it grows in the cube, as in "(603, 2210) and 1204 down".
+std::string PlaceText(const Eigen::Vector3d& world, const ImageCube& cube);
 
 /// Blocks, or values of the point array Horizon, separate guides; an unnamed guide is called Guide 1, and so on. Throws
 /// InputError without points, on infinite places, and if no point of a guide is on the cube.

@@ -19,7 +19,7 @@ namespace SeismicHorizons
 namespace
 {
 /// Picks are numbered from 1.
-std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide)
+std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide, const ImageCube& cube)
 {
   constexpr std::size_t most = 5;
   std::ostringstream text;
@@ -30,9 +30,10 @@ std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuideP
   }
   const std::array<double, 3>& first = guide.Places[numbers.front()];
   text << (numbers.size() > most ? ", ..." : "") << ", the first at "
-       << ToText(Eigen::Map<const Eigen::Vector3d>(first.data()));
+       << PlaceText(Eigen::Map<const Eigen::Vector3d>(first.data()), cube);
   return text.str();
 }
+
 void DescribeLimits(FoundReflections& found, std::ostream& text)
 {
   const ExtractionLimits& limits = found.Limits;
@@ -55,20 +56,19 @@ void WarnOfGuide(
 {
   if (!use.Strays.empty())
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Strays, guide) +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Strays, guide, found.Cube) +
       ", are on another event than those around them, expected one event: followed only where waveforms prefer them");
   }
-  if (2 * use.Unused.size() > guide.Places.size())
+  if (2 * use.NearNone.size() > guide.Places.size())
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Unused, guide) +
-      ", are near no reflection of their sign, expected most to be: see GuideTolerance");
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.NearNone, guide, found.Cube) +
+      ", are near no reflection, expected most to be: see GuideTolerance");
   }
-  if (3 * (use.OtherSign - use.Turned) > std::int64_t(guide.Places.size()))
+  if (!use.OnOtherSign.empty())
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + std::to_string(use.OtherSign) + " of " +
-      std::to_string(guide.Places.size()) + " picks are nearer to a reflection of " +
-      (use.IsNegative ? "positive" : "negative") +
-      " amplitude than to one of the sign of the others, expected one sign");
+    found.Warnings.push_back("guide \"" + guide.Given.Name +
+      "\": " + GuidePicksText(use.OnOtherSign, guide, found.Cube) + ", are on reflections of " +
+      (use.IsNegative ? "positive" : "negative") + " amplitude, expected the sign of the others: not used");
   }
   // Horizons that meet share some of their points; of one event named twice, most.
   if (2 * use.Shared > std::int64_t(points))
@@ -112,8 +112,9 @@ void DescribeGuides(bool hasGrowth, FoundReflections& found, std::ostream& text)
          << (use.Turned > 0 ? "of the other sign where polarity turns, " : "") << counts[0] << " picks ("
          << use.Strays.size() << " contradicted), " << counts[1] << " on parts, " << counts[2] << " grown, "
          << LikelyWrong(surface) << " % likely wrong; " << use.Doubtful << " left out, " << use.Shared << " shared, "
-         << use.Seams << " seams; unused picks: " << use.Unused.size() << " near no reflection, " << guide.Outside
-         << " outside of the cube\n";
+         << use.Seams << " seams; unused picks: " << use.NearNone.size() << " near no reflection, "
+         << use.OnOtherSign.size() << " on the other sign, " << use.Doubled.size() << " on a trace with another, "
+         << guide.Outside << " outside of the cube\n";
     WarnOfGuide(guide, use, surface.Column.size(), hasGrowth, found);
   }
 }

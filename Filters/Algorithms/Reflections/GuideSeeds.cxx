@@ -160,8 +160,14 @@ std::vector<unsigned char> FindTurned(
   return areTurned;
 }
 
+struct SignsOfPicks
+{
+  std::vector<unsigned char> AreOfOther; // nearer to strong reflections of the other sign
+  std::vector<unsigned char> AreTurned; // those of them that are followed
+};
+
 /// Finds the sign of which the picks are nearest to strong reflections, and where it turns.
-std::vector<unsigned char> ChooseSign(
+SignsOfPicks ChooseSign(
   const Guide& guide, const std::array<ReflectionPicks, 2>& bySign, double tolerance, GuideUse& use)
 {
   std::array<double, 2> votes = { 0.0, 0.0 };
@@ -176,16 +182,16 @@ std::vector<unsigned char> ChooseSign(
     areOf[1].push_back(negative > positive ? 1 : 0);
   }
   use.IsNegative = votes[1] > votes[0];
-  const std::vector<unsigned char>& areOfOther = areOf[use.IsNegative ? 0 : 1];
-  std::vector<unsigned char> areTurned = FindTurned(guide, bySign[0].Columns, areOfOther);
-  use.OtherSign = std::count(areOfOther.begin(), areOfOther.end(), 1);
-  use.Turned = std::count(areTurned.begin(), areTurned.end(), 1);
+  SignsOfPicks signs;
+  signs.AreOfOther = std::move(areOf[use.IsNegative ? 0 : 1]);
+  signs.AreTurned = FindTurned(guide, bySign[0].Columns, signs.AreOfOther);
+  use.Turned = std::count(signs.AreTurned.begin(), signs.AreTurned.end(), 1);
   if (LeastPartTurned * double(guide.Picks.size()) > double(use.Turned))
   {
     use.Turned = 0;
-    std::fill(areTurned.begin(), areTurned.end(), 0);
+    std::fill(signs.AreTurned.begin(), signs.AreTurned.end(), 0);
   }
-  return areTurned;
+  return signs;
 }
 }
 
@@ -195,19 +201,23 @@ std::array<std::vector<GuideSeed>, 2> FindGuideSeeds(const Guide& guide, const s
 {
   const std::vector<std::size_t> order = ListByColumn(guide.Picks);
   CheckGuide(guide, order, bySign[0].Columns, samples, quarter);
-  const std::vector<unsigned char> areTurned = ChooseSign(guide, bySign, tolerance, use);
+  const SignsOfPicks signs = ChooseSign(guide, bySign, tolerance, use);
   std::array<std::vector<GuideSeed>, 2> seeds;
   const std::size_t main = use.IsNegative ? 1 : 0;
   std::int32_t last = -1;
   for (const std::size_t number : order)
   {
     const GuidePick& pick = guide.Picks[number];
-    const std::size_t sign = areTurned[number] != 0 ? 1 - main : main;
+    const std::size_t sign = signs.AreTurned[number] != 0 ? 1 - main : main;
     const SeedCandidate found = FindNearest(bySign[sign], pick, tolerance);
     const auto column = std::int32_t(bySign[0].ColumnAt(pick.I, pick.J));
-    if (found.Pick == NoPoint || column == last)
+    if (column == last)
     {
-      use.Unused.push_back(number); // Or another pick of its column is nearer.
+      use.Doubled.push_back(number);
+    }
+    else if (found.Pick == NoPoint)
+    {
+      (signs.AreOfOther[number] != 0 ? use.OnOtherSign : use.NearNone).push_back(number);
     }
     else
     {
@@ -215,7 +225,10 @@ std::array<std::vector<GuideSeed>, 2> FindGuideSeeds(const Guide& guide, const s
       last = column;
     }
   }
-  std::sort(use.Unused.begin(), use.Unused.end());
+  for (std::vector<std::size_t>* const unused : { &use.OnOtherSign, &use.NearNone, &use.Doubled })
+  {
+    std::sort(unused->begin(), unused->end());
+  }
   if (seeds[0].empty() && seeds[1].empty())
   {
     std::ostringstream text;

@@ -19,9 +19,11 @@ namespace SeismicHorizons
 struct GuideUse
 {
   bool IsNegative = false; // sign of most reflections
-  std::int64_t OtherSign = 0; // picks that mean the other sign
-  std::int64_t Turned = 0; // those of them that are followed, where polarity turns
-  std::vector<std::size_t> Unused; // picks without a reflection in tolerance
+  std::int64_t Turned = 0; // picks of the other sign that are followed, where polarity turns
+  // Picks that are not used:
+  std::vector<std::size_t> OnOtherSign;
+  std::vector<std::size_t> NearNone; // without a reflection in tolerance
+  std::vector<std::size_t> Doubled; // Another pick of their column is used.
   std::vector<std::size_t> Strays; // picks that contradict others; they are kept
   std::int64_t Shared = 0; // picks that another guide has, too
   std::size_t SharedWith = 0; // the guide that shares most

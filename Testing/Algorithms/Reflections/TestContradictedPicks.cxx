@@ -29,15 +29,18 @@ void TestBadPicks()
     { { "upper", { { 3, 3, 10 }, { 30, 3, 10 }, { 20, 20, 25 }, { 3, 25, 10 }, { 35, 25, 10 }, { 9, 9, 17 } } } });
   CHECK_EQUAL(found.Guides[0].Strays.size(), 1u);
   CHECK_EQUAL(found.Guides[0].Strays.at(0), 2u);
-  CHECK_EQUAL(found.Guides[0].Unused.size(), 1u);
-  CHECK_EQUAL(found.Guides[0].Unused.at(0), 5u);
+  CHECK_EQUAL(found.Guides[0].NearNone.size(), 1u);
+  CHECK_EQUAL(found.Guides[0].NearNone.at(0), 5u);
   CHECK_EQUAL(found.Surfaces[0].Column.size(), 1200u);
   CHECK_EQUAL(std::count(found.Surfaces[0].K.begin(), found.Surfaces[0].K.end(), 10), 1199);
   CHECK_EQUAL(found.Surfaces[0].K[20 * 40 + 20], 25);
-  const Extraction mixed = Follow(traces, { { "mixed", { { 3, 3, 25 }, { 30, 3, 25 }, { 20, 20, 40 } } } });
+  const Extraction mixed = Follow(traces, { { "mixed", { { 3, 3, 25 }, { 30, 3, 25 }, { 20, 20, 40 }, { 3, 3, 26 } } } });
   CHECK(!mixed.Guides[0].IsNegative);
-  CHECK_EQUAL(mixed.Guides[0].OtherSign, 1);
-  CHECK_EQUAL(mixed.Guides[0].Unused.size(), 1u);
+  CHECK_EQUAL(mixed.Guides[0].OnOtherSign.size(), 1u);
+  CHECK_EQUAL(mixed.Guides[0].OnOtherSign.at(0), 2u);
+  CHECK_EQUAL(mixed.Guides[0].Doubled.size(), 1u);
+  CHECK_EQUAL(mixed.Guides[0].Doubled.at(0), 3u);
+  CHECK(mixed.Guides[0].NearNone.empty());
 }
 
 /// Two events run through the survey, and change places at a fault, as the layers around them show.

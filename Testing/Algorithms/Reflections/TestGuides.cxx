@@ -57,7 +57,7 @@ void TestLayers()
     CHECK_EQUAL(CountOrigins(surface)[0], n == 0 ? 1 : 2);
     CHECK_EQUAL(CountOrigins(surface)[1], n == 0 ? 1199 : 1198);
     CHECK_EQUAL(found.Guides[n].IsNegative, n == 1);
-    CHECK(found.Guides[n].Unused.empty() && found.Guides[n].Strays.empty());
+    CHECK(found.Guides[n].NearNone.empty() && found.Guides[n].Strays.empty());
   }
   for (std::size_t n = 0; n < 1200; ++n)
   {
