@@ -119,7 +119,7 @@ PlacedPoints PlaceOn(const Lattice& lattice, const Horizon& points, const Horizo
     const std::optional<PlanePoint> column = ColumnOf(place);
     if (!column)
     {
-      throw InputError("a point of " + names.Placed + " at " + ToText(points.Place(n)) +
+      throw InputError("a point of " + names.Placed + " at " + ToText(points.Place(n).head<2>()) +
         ", which is not on a column of " + names.First +
         ", expected points on one lattice: Horizon From Points grids them there");
     }

@@ -5,6 +5,7 @@
 
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/PlaceText.h"
 #include "Common/Text/TextPrinter.h"
 
 #include <algorithm>
@@ -173,8 +174,8 @@ private:
     {
       const std::array<double, 3>& at = this->Model.Points[std::size_t(this->Halves[first].Ends[0])];
       throw InputError("body " + std::to_string(open->first) + " open at an edge with number of triangles " +
-        std::to_string(end - first) + " at (" + std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " +
-        std::to_string(at[2]) + "), expected closed bodies");
+        std::to_string(end - first) + " at " + PlaceText(Eigen::Vector3d(at[0], at[1], at[2])) +
+        ", expected closed bodies");
     }
   }
 

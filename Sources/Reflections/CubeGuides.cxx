@@ -6,6 +6,7 @@
 #include "Common/Base/Errors.h"
 #include "Common/Horizon/DataModel.h"
 #include "Common/Horizon/Lattice.h"
+#include "Common/Horizon/PlaceText.h"
 #include "Common/Survey/LatticeFrame.h"
 #include "Filters/Common/HorizonPoints.h"
 
@@ -38,8 +39,7 @@ class CubePlaces
 {
 public:
   explicit CubePlaces(const ImageCube& cube)
-    : Cube(cube)
-    , First(cube.FirstIndex[0], cube.FirstIndex[1], cube.FirstIndex[2])
+    : First(cube.FirstIndex[0], cube.FirstIndex[1], cube.FirstIndex[2])
     , Last(cube.Traces.Size[0] - 1, cube.Traces.Size[1] - 1, cube.Traces.Size[2] - 1)
     , Lines(FindNumbers(cube.Image.FieldData, FieldArray::LineNumbers))
   {
@@ -85,17 +85,14 @@ public:
     return { static_cast<int>(std::floor(place.x() + 0.5)), static_cast<int>(std::floor(place.y() + 0.5)) };
   }
 
-  std::string TextOf(const Eigen::Vector3d& world) const { return PlaceText(world, this->Cube); }
-
   /// Of the first and last corner.
   std::string CornersText() const
   {
-    return this->TextOf(this->Lattice.ToWorld(this->First)) + " to " +
-      this->TextOf(this->Lattice.ToWorld(this->First + this->Last));
+    return PlaceText(this->Lattice.ToWorld(this->First)) + " to " +
+      PlaceText(this->Lattice.ToWorld(this->First + this->Last));
   }
 
 private:
-  const ImageCube& Cube;
   SeismicHorizons::Lattice Lattice;
   Eigen::Vector3d First; // lattice index
   Eigen::Vector3d Last; // last trace and sample, in cube units
@@ -107,7 +104,7 @@ void AddPoint(const Eigen::Vector3d& world, const CubePlaces& places, GuidePicks
   if (!world.allFinite())
   {
     throw InputError(
-      "guide \"" + guide.Given.Name + "\": a point at " + places.TextOf(world) + ", expected finite numbers");
+      "guide \"" + guide.Given.Name + "\": a point at " + PlaceText(world) + ", expected finite numbers");
   }
   const Eigen::Vector3d place = places.ToCube(world);
   if (places.HasSample(place))
@@ -118,7 +115,7 @@ void AddPoint(const Eigen::Vector3d& world, const CubePlaces& places, GuidePicks
   }
   else if (guide.Outside++ == 0)
   {
-    guide.FirstOutside = places.TextOf(world);
+    guide.FirstOutside = PlaceText(world);
   }
 }
 
@@ -154,8 +151,7 @@ std::vector<double> ReadSamples(const NamedHorizon& limit, const ImageCube& cube
     const Eigen::Vector3d world = places.ToWorld(shown.Place(n), areLines);
     if (!world.allFinite())
     {
-      throw InputError(
-        "limit \"" + limit.Name + "\": a point at " + places.TextOf(world) + ", expected finite numbers");
+      throw InputError("limit \"" + limit.Name + "\": a point at " + PlaceText(world) + ", expected finite numbers");
     }
     const Eigen::Vector3d place = places.ToCube(world);
     if (places.HasTrace(place))
@@ -164,8 +160,8 @@ std::vector<double> ReadSamples(const NamedHorizon& limit, const ImageCube& cube
       double& sample = samples[std::size_t(i) + std::size_t(size[0]) * std::size_t(j)];
       if (!std::isnan(sample))
       {
-        throw InputError("limit \"" + limit.Name + "\": two points on one trace, the second at " +
-          places.TextOf(world) + ", expected one: a horizon on the traces of the cube");
+        throw InputError("limit \"" + limit.Name + "\": two points on one trace, the second at " + PlaceText(world) +
+          ", expected one: a horizon on the traces of the cube");
       }
       sample = place.z();
       isOnTraces = true;
@@ -179,17 +175,6 @@ std::vector<double> ReadSamples(const NamedHorizon& limit, const ImageCube& cube
   }
   return samples;
 }
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::string PlaceText(const Eigen::Vector3d& world, const ImageCube& cube)
-{
-  const bool isDown = cube.Frame.Direction == VerticalDirection::Down;
-  std::ostringstream text;
-  text.precision(10);
-  const double z = isDown ? 0.0 - world.z() : world.z(); // without a -0
-  text << ToText(world.head<2>()) << " and " << (std::isnan(z) ? std::fabs(z) : z) << (isDown ? " down" : " up");
-  return text.str();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

@@ -25,9 +25,6 @@ struct GuidePicks
   std::string FirstOutside; // the place of the first of these
 };
 
-/// With z as it grows in the cube, as in "(603, 2210) and 1204 down".
-std::string PlaceText(const Eigen::Vector3d& world, const ImageCube& cube);
-
 /// Blocks, or values of the point array Horizon, separate guides; an unnamed guide is called Guide 1, and so on. Throws
 /// InputError without points, on infinite places, and if no point of a guide is on the cube.
 std::vector<GuidePicks> ReadGuides(const std::vector<NamedHorizon>& horizons, const ImageCube& cube);

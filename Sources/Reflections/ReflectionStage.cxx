@@ -4,6 +4,7 @@
 #include "ReflectionStage.h"
 
 #include "Common/Horizon/DataModel.h"
+#include "Common/Horizon/PlaceText.h"
 #include "Common/Survey/HorizonDataSet.h"
 #include "Common/Survey/SurveyFields.h"
 
@@ -19,7 +20,7 @@ namespace SeismicHorizons
 namespace
 {
 /// Picks are numbered from 1.
-std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide, const ImageCube& cube)
+std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuidePicks& guide)
 {
   constexpr std::size_t most = 5;
   std::ostringstream text;
@@ -30,7 +31,7 @@ std::string GuidePicksText(const std::vector<std::size_t>& numbers, const GuideP
   }
   const std::array<double, 3>& first = guide.Places[numbers.front()];
   text << (numbers.size() > most ? ", ..." : "") << ", the first at "
-       << PlaceText(Eigen::Map<const Eigen::Vector3d>(first.data()), cube);
+       << PlaceText(Eigen::Map<const Eigen::Vector3d>(first.data()));
   return text.str();
 }
 
@@ -56,19 +57,19 @@ void WarnOfGuide(
 {
   if (!use.Strays.empty())
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Strays, guide, found.Cube) +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.Strays, guide) +
       ", are on another event than those around them, expected one event: followed only where waveforms prefer them");
   }
   if (2 * use.NearNone.size() > guide.Places.size())
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.NearNone, guide, found.Cube) +
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.NearNone, guide) +
       ", are near no reflection, expected most to be: see GuideTolerance");
   }
   if (!use.OnOtherSign.empty())
   {
-    found.Warnings.push_back("guide \"" + guide.Given.Name +
-      "\": " + GuidePicksText(use.OnOtherSign, guide, found.Cube) + ", are on reflections of " +
-      (use.IsNegative ? "positive" : "negative") + " amplitude, expected the sign of the others: not used");
+    found.Warnings.push_back("guide \"" + guide.Given.Name + "\": " + GuidePicksText(use.OnOtherSign, guide) +
+      ", are on reflections of " + (use.IsNegative ? "positive" : "negative") +
+      " amplitude, expected the sign of the others: not used");
   }
   // Horizons that meet share some of their points; of one event named twice, most.
   if (2 * use.Shared > std::int64_t(points))

@@ -156,7 +156,7 @@ void WrongInputGivesOneErrorEach()
     [](vtkPolyData* surfaces) {
       surfaces->GetPolys()->ReplaceCellAtId(6, 3, std::vector<vtkIdType>{ 0, 2, 3 }.data());
     },
-    "body 1 open at an edge with number of triangles 3 at (604321.250000, 6079543.100000, 0.100000)");
+    "body 1 open at an edge with number of triangles 3 at (604321.25, 6079543.1) and 0.1 up");
 }
 
 void FilesThatCannotBeWritten()

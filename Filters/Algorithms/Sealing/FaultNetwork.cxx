@@ -5,6 +5,7 @@
 
 #include "BlockHeights.h"
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/PlaceText.h"
 #include "SealedComplex.h"
 
 #include <algorithm>

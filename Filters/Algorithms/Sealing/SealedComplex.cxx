@@ -5,13 +5,13 @@
 
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/PlaceText.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace SeismicHorizons
@@ -198,15 +198,6 @@ void DropUnused(SealedComplex& complex)
     }
   }
   complex.Vertices = std::move(used);
-}
-
-//----------------------------------------------------------------------------------------------------------------------
-std::string PlaceText(const Eigen::Vector3d& place)
-{
-  std::ostringstream text;
-  text.precision(10);
-  text << "(" << place.x() << ", " << place.y() << ", " << place.z() << ")";
-  return text.str();
 }
 
 //----------------------------------------------------------------------------------------------------------------------

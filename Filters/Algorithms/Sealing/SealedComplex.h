@@ -54,8 +54,6 @@ inline Eigen::Vector3d CentreOf(const std::vector<Eigen::Vector3d>& vertices, co
   return (vertices[std::size_t(a)] + vertices[std::size_t(b)] + vertices[std::size_t(c)]) / 3.0;
 }
 
-std::string PlaceText(const Eigen::Vector3d& place);
-
 /// Bodies by triangle and side, -1 outside.
 struct ComplexBodies
 {

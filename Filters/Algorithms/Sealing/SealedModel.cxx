@@ -8,6 +8,7 @@
 #include "BlockTree.h"
 #include "Common/Base/DisjointSets.h"
 #include "Common/Base/Errors.h"
+#include "Common/Horizon/PlaceText.h"
 #include "SealedComplex.h"
 #include "SealedImprover.h"
 #include "Sheets.h"

@@ -304,15 +304,14 @@ void OpenModelsAreRefused()
   check([](ClosedModel& model) { model.Triangles[0].Bodies[1] = 0; }, "body 0 on both sides of triangle 0, expected");
   check([](ClosedModel& model) { model.Bodies.push_back({}); }, "body 2 without triangles, expected surfaces around");
   check([](ClosedModel& model) { model.Triangles.pop_back(); },
-    "body 1 open at an edge with number of triangles 2 at "
-    "(0.000000, 0.000000, 0.000000), expected closed bodies");
+    "body 1 open at an edge with number of triangles 2 at (0, 0) and 0, expected closed bodies");
   check(
     [](ClosedModel& model)
     {
       model.Points.push_back({ 0, 0, 1 });
       model.Triangles[1].Corners[2] = 5;
     },
-    "body 0 open at an edge with number of triangles 1 at (0.000000, 0.000000, 0.000000), expected closed");
+    "body 0 open at an edge with number of triangles 1 at (0, 0) and 0, expected closed");
   check([](ClosedModel& model) { std::swap(model.Triangles[0].Bodies[0], model.Triangles[0].Bodies[1]); },
     "body 1 open at an edge with number of triangles 3 at");
 }
