@@ -26,11 +26,12 @@ def program_result(stage, peer, points, theirs, ours):
 
 
 def measure_scaling(folder, threads, sizes):
-    """Returns the table of how our algorithms gain from threads: all at one size, and surfaces at the largest."""
+    """Returns the table of how our algorithms gain from threads: all at one size, surfaces and extraction at the largest."""
     words = ["--threads", ",".join(map(str, threads))]
     lines = run_program(folder, "ScalingBenchmark", *words, min(sizes, key=lambda size: abs(size - SIZE_OF_SCALING)))
     if lines and max(sizes) > SIZE_OF_SCALING:
-        lines += run_program(folder, "ScalingBenchmark", *words, "--stage", "surface, best", max(sizes))[2:]
+        for stage in ("surface, best", "extraction"):
+            lines += run_program(folder, "ScalingBenchmark", *words, "--stage", stage, max(sizes))[2:]
     return lines
 
 

@@ -659,32 +659,40 @@ void TakeRow(const TraceCube& cube, const TraceCube* unsmoothed, const TraceLimi
   }
 }
 
-/// Threads read blocks of rows; one thread writes.
+/// Threads read blocks of rows, while one of them writes the block before.
 void WriteSurfaces(const TraceCube& cube, const TraceCube* unsmoothed, const TraceLimits& limits,
   const NumbersOfSurfaces& positions, JoinedReflections& joined, std::vector<LatticeHorizon>& horizons,
   const Monitor& monitor)
 {
   constexpr int rowsAtATime = 32;
-  std::array<std::vector<Taken>, rowsAtATime> rows;
-  for (int first = 0; first < cube.Size[1]; first += rowsAtATime)
+  using Rows = std::vector<std::vector<Taken>>;
+  Rows before;
+  Rows rows;
+  const auto write = [&](int firstRow)
   {
-    monitor.Progress(double(first) / double(cube.Size[1]));
-    const int count = std::min(rowsAtATime, cube.Size[1] - first);
-    ParallelFor(count, 1,
+    for (std::size_t n = 0; n < before.size(); ++n)
+    {
+      for (const Taken& taken : before[n])
+      {
+        AddPick(horizons[taken.Position], taken, firstRow + int(n));
+      }
+    }
+  };
+  for (int first = 0; first < cube.Size[1] + rowsAtATime; first += rowsAtATime)
+  {
+    monitor.Progress(std::min(1.0, double(first) / double(cube.Size[1])));
+    const int count = std::clamp(cube.Size[1] - first, 0, rowsAtATime);
+    rows.resize(std::size_t(count));
+    ParallelFor(count + 1, 1,
       [&](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t n = begin; n < end; ++n)
         {
-          TakeRow(cube, unsmoothed, limits, positions, first + int(n), joined, rows[n]);
+          n == 0 ? write(first - rowsAtATime)
+                 : TakeRow(cube, unsmoothed, limits, positions, first + int(n) - 1, joined, rows[std::size_t(n) - 1]);
         }
       });
-    for (int n = 0; n < count; ++n)
-    {
-      for (const Taken& taken : rows[n])
-      {
-        AddPick(horizons[taken.Position], taken, first + n);
-      }
-    }
+    before.swap(rows);
   }
 }
 }
