@@ -16,7 +16,7 @@ from .progress import file_work
 # Number of surfaces of a cube that become meshes, strongest first.
 LARGEST_NUMBER = 20
 # Peak memory in bytes per sample, cube included, while reflections are joined (ReflectionBenchmark).
-WORKED = 20
+WORKED = 30
 WORKED_WITH_PICKS = 45
 # Of cubes of more samples, only what is near picks is searched, with so many bytes per trace and horizon.
 LARGEST_WHOLE = 100_000_000

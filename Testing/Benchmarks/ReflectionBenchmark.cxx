@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SeismicHorizons contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Speed and memory of the extraction of horizons from a cube, step by step on one thread, and beside what else makes
+// Speed and memory of the extraction of horizons from a cube, step by step on one thread unless told, and beside what else makes
 // surfaces of a cube: zero crossings (vtkFlyingEdges3D) and their connected parts. Prints Markdown: processor seconds,
 // the least of several runs, and the growth of memory.
 //
@@ -232,12 +232,15 @@ void MeasurePeer(const Cube& cube)
 void Compare(const Cube& cube)
 {
   std::printf(
-    "| surfaces, one thread | seconds | memory, in cubes | parts of 200 points or more | largest part | over others "
+    "| surfaces | seconds | memory, in cubes | parts of 200 points or more | largest part | over others "
     "of their part | over the fault |\n| --- | --- | --- | --- | --- | --- | --- |\n");
   ExtractionOptions options;
   options.SmallestSize = 200;
   options.LargestNumber = 1000000;
   MeasureExtraction(cube, "best first", options);
+  Detail::NumberOfThreads() = 2;
+  MeasureExtraction(cube, "best first, two threads", options);
+  Detail::NumberOfThreads() = 1;
   options.Joining = SurfaceJoining::Components;
   options.Connectivity = ColumnConnectivity::Eight;
   options.LargestStep = 1.0;

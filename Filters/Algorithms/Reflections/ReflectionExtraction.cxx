@@ -496,6 +496,11 @@ RawVector<PointId> TakeSurfaces(const TraceCube& cube, int sign, GuidedExtractio
     }
     guided.Follow(cube, sign, picks, *members, *links, surfaces, joined.Followed[sign], monitor.Step(0.7, 1.0));
   }
+  if (!isKept)
+  {
+    joined.Links[sign].reset();
+    joined.Members[sign].reset();
+  }
   return surfaces;
 }
 
